@@ -1,0 +1,72 @@
+#include "engine/base/team.hpp"
+
+#include <algorithm>
+
+namespace demlua {
+
+namespace {
+
+// Long enough to bridge the gap between two stages of a step, short enough not to burn a core between runs.
+constexpr int spins_before_sleep = 20000;
+
+template <class Value>
+void await_change(const std::atomic<Value>& value, Value old) {
+    for (int spin = 0; spin < spins_before_sleep; ++spin) {
+        if (value.load(std::memory_order_acquire) != old) return;
+#if defined(__x86_64__)
+        __builtin_ia32_pause();
+#endif
+    }
+    while (value.load(std::memory_order_acquire) == old) value.wait(old, std::memory_order_acquire);
+}
+
+} // namespace
+
+Team::Team(int threads) {
+    const auto others = static_cast<std::size_t>(std::max(threads, 1) - 1);
+    workers_.reserve(others);
+    for (std::size_t k = 0; k < others; ++k) workers_.emplace_back([this, k] { work(k + 1); });
+}
+
+Team::~Team() {
+    stopping_.store(true, std::memory_order_release);
+    round_.fetch_add(1, std::memory_order_acq_rel);
+    round_.notify_all();
+    for (std::thread& worker : workers_) worker.join();
+}
+
+void Team::dispatch(std::size_t count, const void* context, Trampoline call) {
+    count_ = count;
+    context_ = context;
+    call_ = call;
+    pending_.store(static_cast<std::uint32_t>(workers_.size()), std::memory_order_relaxed);
+    round_.fetch_add(1, std::memory_order_acq_rel);
+    round_.notify_all();
+    run_part(0);
+    for (std::uint32_t left = pending_.load(std::memory_order_acquire); left != 0;
+         left = pending_.load(std::memory_order_acquire)) {
+        await_change(pending_, left);
+    }
+}
+
+void Team::work(std::size_t part) {
+    std::uint32_t seen = 0;
+    while (true) {
+        await_change(round_, seen);
+        ++seen;
+        if (stopping_.load(std::memory_order_acquire)) return;
+        run_part(part);
+        pending_.fetch_sub(1, std::memory_order_acq_rel);
+        pending_.notify_one();
+    }
+}
+
+void Team::run_part(std::size_t part) const {
+    const std::size_t grains = (count_ + grain - 1) / grain;
+    const std::size_t parts = workers_.size() + 1;
+    const std::size_t begin = std::min(count_, grains * part / parts * grain);
+    const std::size_t end = std::min(count_, grains * (part + 1) / parts * grain);
+    call_(context_, Share{begin, end, part});
+}
+
+} // namespace demlua

@@ -1,0 +1,61 @@
+// A team of threads that shares loops in fixed contiguous parts, so that no result depends on how many there are.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <thread>
+#include <vector>
+
+namespace demlua {
+
+/// Half-open range of one thread's share of a loop; `part` counts the shares from zero in rising index order.
+struct Share {
+    std::size_t begin;
+    std::size_t end;
+    std::size_t part;
+};
+
+/// Worker threads that live as long as the team. A loop body must write only what belongs to its own indices;
+/// anything gathered over indices is kept per part and joined in part order, which is index order.
+class Team {
+public:
+    explicit Team(int threads);
+    ~Team();
+    Team(const Team&) = delete;
+    Team& operator=(const Team&) = delete;
+    Team(Team&&) = delete;
+    Team& operator=(Team&&) = delete;
+
+    [[nodiscard]] std::size_t size() const { return workers_.size() + 1; }
+
+    /// Calls `work(Share)` once per part of [0, count) and waits for all. Loops too short to be worth waking a
+    /// thread run on the caller as one part. A loop body must not throw.
+    template <class Work>
+    void share(std::size_t count, const Work& work) {
+        if (workers_.empty() || count < shortest_shared_loop) {
+            work(Share{0, count, 0});
+            return;
+        }
+        dispatch(count, &work, [](const void* context, Share part) { (*static_cast<const Work*>(context))(part); });
+    }
+
+private:
+    using Trampoline = void (*)(const void*, Share);
+    static constexpr std::size_t shortest_shared_loop = 1024;
+    static constexpr std::size_t grain = 8;
+
+    void dispatch(std::size_t count, const void* context, Trampoline call);
+    void work(std::size_t part);
+    void run_part(std::size_t part) const;
+
+    std::size_t count_ = 0;
+    const void* context_ = nullptr;
+    Trampoline call_ = nullptr;
+    std::atomic<std::uint32_t> round_{0};
+    std::atomic<std::uint32_t> pending_{0};
+    std::atomic<bool> stopping_{false};
+    std::vector<std::thread> workers_;
+};
+
+} // namespace demlua

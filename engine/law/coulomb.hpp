@@ -1,0 +1,90 @@
+// Frictional contact: spring and dashpot in both directions, never pulling, shear capped by friction.
+//
+//   delta = L - d                              overlap; L the pair's reference length, R_i + R_j unless it was bonded
+//   N  = max(0, Kn delta + Cn delta')          while delta > 0
+//   ft = Kt us + Ct us',  |ft| <= mu N         us elastic shear displacement; beyond the cap it slips
+//
+// Source: Tavarez & Plesha 2007, section 4 and figure 1 (frictional contact); Kn, Kt eqs 15, 16.
+// The work the shear force takes out of the motion, less what is stored in the spring, is spent: on friction while the
+// contact slips, on the dashpot while it sticks. Work over a step is the mean of the forces at its two ends times the
+// displacement, which is what central difference really exchanges.
+#pragma once
+
+#include "engine/base/lanes.hpp"
+
+#include <array>
+
+namespace demlua::law {
+
+struct Coulomb {
+    static constexpr const char* name = "coulomb";
+
+    struct Params {
+        double Kn = 0.0; ///< N/m
+        double Kt = 0.0; ///< N/m
+        double mu = 0.0; ///< friction coefficient
+    };
+
+    template <class T>
+    struct History {
+        T shear{};    ///< elastic shear displacement us, m
+        T damping{};  ///< normal dashpot force at the last instant, N
+        T force{};    ///< shear force at the last instant, N
+        T friction{}; ///< work spent by slipping, J
+        T damped{};   ///< work spent by the dashpots, J
+        static constexpr std::array<T History::*, 5> members{&History::shear, &History::damping, &History::force,
+                                                             &History::friction, &History::damped};
+    };
+
+    /// What the pair does now: overlap (m), speeds at which overlap and shear grow (m/s), the dashpots (N s/m).
+    template <class T>
+    struct Input {
+        T overlap;
+        T closing;
+        T sliding;
+        T Cn;
+        T Ct;
+    };
+
+    /// Pressure (positive) and shear, N.
+    template <class T>
+    struct Force {
+        T pressure;
+        T shear;
+    };
+
+    template <class T>
+    static Force<T> respond(const Params& p, const Input<T>& in, T dt, History<T>& history) {
+        const bool touching = in.overlap > 0.0;
+        const T spring = p.Kn * in.overlap;
+        const T pressure = select(touching, larger(T{}, spring + in.Cn * in.closing), T{});
+        const T damping = select(touching, pressure - spring, T{});
+
+        const T slide = in.sliding * dt;
+        const T stretched = history.shear + slide;
+        const T trial = p.Kt * stretched + in.Ct * in.sliding;
+        const T cap = p.mu * pressure;
+        const bool slips = magnitude(trial) > cap;
+        const T shear = select(touching, clamped(trial, cap), T{});
+        // The spring cannot hold more than friction lets through.
+        const T held = p.Kt > 0.0 ? select(slips, clamped(p.Kt * stretched, cap) / p.Kt, stretched) : T{};
+        const T kept = select(touching, held, T{});
+
+        const T spent = 0.5 * (history.force + shear) * slide -
+                        0.5 * p.Kt * (kept * kept - history.shear * history.shear);
+        history.friction += select(slips, spent, T{});
+        history.damped += select(slips, T{}, spent) + 0.5 * (history.damping + damping) * (in.closing * dt);
+        history.shear = kept;
+        history.force = shear;
+        history.damping = damping;
+        return {pressure, shear};
+    }
+
+    template <class T>
+    static T stored_energy(const Params& p, T overlap, const History<T>& history) {
+        const T delta = larger(T{}, overlap);
+        return 0.5 * (p.Kn * delta * delta + p.Kt * history.shear * history.shear);
+    }
+};
+
+} // namespace demlua::law

@@ -1,0 +1,14 @@
+// The bond laws, one row each. To add one: write its file like elastic.hpp (equation, Params, History, derive, respond,
+// stored_energy; broken and damage if it breaks), put it in this list, give it a choice in model/scene.hpp with its
+// settings, and a line in state/bond_assembly.cpp that derives its Params. Loops, files and ledger follow.
+#pragma once
+
+#include "engine/law/elastic.hpp"
+#include "engine/law/plateau.hpp"
+
+namespace demlua::law {
+
+template <template <class> class Container, template <class...> class List>
+using ForEachBondLaw = List<Container<Elastic>, Container<Plateau>>;
+
+} // namespace demlua::law

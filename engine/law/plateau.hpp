@@ -1,0 +1,105 @@
+// Elastic, then plastic at the caps that a strength sets, gone when the opening has spent the fracture energy.
+//
+//   fn_crit   = R t s/(2(1-nu*)) (sqrt(3) - nu*/sqrt(3))       Tavarez & Plesha 2007, eq. 32
+//   ft_crit   = R t s/(2(1-nu*)) (1 - 3 nu*)                   eq. 33
+//   d_max     = G 2Rt/fn_crit + fn_crit/(2 Kn)                 eq. 34 with 35, G = K_Ic^2/E* (eq. 31)
+//   |fn| <= fn_crit in tension, |ft| <= ft_crit both ways; unloading with Kn and Kt; broken when e > d_max.
+//   With break_in_shear also broken when |ut| > G 2Rt/ft_crit + ft_crit/(2 Kt) (figure 14b).
+//
+// R mean radius of the two elements, t thickness, s tensile strength, e stretch, ut shear displacement, starred values
+// eq. 13, 14. A strain-rate factor f stands for s -> f s and G -> f G.
+// Limits: the printed law spends 2.07 G per crack area along the rows of a close-packed body at nu* = 0.3, because two
+// bonds are cut there for each 2R; compression never yields in the normal direction.
+#pragma once
+
+#include "engine/law/bond_motion.hpp"
+#include "engine/law/stiffness.hpp"
+
+#include <array>
+#include <limits>
+#include <numbers>
+
+namespace demlua::law {
+
+struct Plateau {
+    static constexpr const char* name = "plateau";
+    static constexpr bool breaks = true;
+
+    /// Forces and displacements follow from the mean radius R of a bond: fn_crit = fn_per_radius R,
+    /// d_max = opening + d_crit_per_radius R / 2, and the same in shear.
+    struct Params {
+        double Kn = 0.0;                  ///< N/m
+        double Kt = 0.0;                  ///< N/m
+        double fn_per_radius = 0.0;       ///< N/m
+        double ft_per_radius = 0.0;       ///< N/m
+        double opening = 0.0;             ///< m, plastic part of d_max
+        double half_stretch_per_radius = 0.0; ///< d_crit/(2R)
+        double slip = std::numeric_limits<double>::infinity(); ///< m, plastic part of the greatest shear
+        double half_shear_per_radius = 0.0;
+    };
+
+    template <class T>
+    struct History {
+        T stretch{}; ///< plastic stretch, m
+        T shear{};   ///< plastic shear displacement, m
+        T work{};    ///< plastic work, J
+        static constexpr std::array<T History::*, 3> members{&History::stretch, &History::shear, &History::work};
+    };
+
+    /// `strength` in Pa and `toughness` in Pa m^0.5, both positive; `rate_factor` multiplies strength and fracture energy.
+    static constexpr Params derive(ContactStiffness k, PlaneModuli plane, double thickness, double strength,
+                                   double toughness, double rate_factor, bool break_in_shear) {
+        const double nu = plane.poissons_ratio;
+        const double common = thickness * strength * rate_factor / (2.0 * (1.0 - nu));
+        const double fracture_energy = rate_factor * toughness * toughness / plane.youngs_modulus;
+        Params p;
+        p.Kn = k.normal;
+        p.Kt = k.shear;
+        p.fn_per_radius = common * (std::numbers::sqrt3 - nu * std::numbers::inv_sqrt3);
+        p.ft_per_radius = common * (1.0 - 3.0 * nu);
+        p.opening = fracture_energy * 2.0 * thickness / p.fn_per_radius;
+        p.half_stretch_per_radius = 0.5 * p.fn_per_radius / k.normal;
+        if (break_in_shear && p.ft_per_radius > 0.0) {
+            p.slip = fracture_energy * 2.0 * thickness / p.ft_per_radius;
+            p.half_shear_per_radius = 0.5 * p.ft_per_radius / k.shear;
+        }
+        return p;
+    }
+
+    template <class T>
+    static BondForce<T> respond(const Params& p, T radius, const BondMotion<T>& motion, History<T>& history) {
+        const T fn_crit = p.fn_per_radius * radius;
+        const T ft_crit = p.ft_per_radius * radius;
+        const T fn_trial = p.Kn * (motion.stretch - history.stretch);
+        const T ft_trial = p.Kt * (motion.shear - history.shear);
+        const T fn = smaller(fn_trial, fn_crit);
+        const T ft = clamped(ft_trial, ft_crit);
+        const T opened = select(fn_trial > fn, (fn_trial - fn) / p.Kn, T{});
+        const T slipped = select(magnitude(ft_trial) > ft_crit, (ft_trial - ft) / p.Kt, T{});
+        history.stretch += opened;
+        history.shear += slipped;
+        history.work += fn * opened + ft * slipped;
+        return {fn, ft};
+    }
+
+    template <class T>
+    static bool broken(const Params& p, T radius, const BondMotion<T>& motion, const History<T>& /*history*/) {
+        return motion.stretch > p.opening + p.half_stretch_per_radius * radius ||
+               magnitude(motion.shear) > p.slip + p.half_shear_per_radius * radius;
+    }
+
+    /// Share of the way from first yield to breaking, 0 to 1.
+    template <class T>
+    static T damage(const Params& p, T /*radius*/, const History<T>& history) {
+        return smaller(T{1.0}, larger(history.stretch / p.opening, magnitude(history.shear) / p.slip));
+    }
+
+    template <class T>
+    static T stored_energy(const Params& p, const BondMotion<T>& motion, const History<T>& history) {
+        const T e = motion.stretch - history.stretch;
+        const T ut = motion.shear - history.shear;
+        return 0.5 * (p.Kn * e * e + p.Kt * ut * ut);
+    }
+};
+
+} // namespace demlua::law

@@ -1,0 +1,45 @@
+// Contact stiffness from Young's modulus and Poisson's ratio.
+//
+//   E* = E,          nu* = nu              plane stress      Tavarez & Plesha 2007, eq. 13, 14
+//   E* = E/(1-nu^2), nu* = nu/(1-nu)       plane strain
+//   Kn = E* t / (sqrt(3) (1 - nu*))                          eq. 15
+//   Kt = Kn (1 - 3 nu*) / (1 + nu*)                          eq. 16
+//
+// E Young's modulus, nu Poisson's ratio, t thickness, Kn and Kt normal and shear stiffness of one contact.
+// Exact for a close-packed assembly of equal elements of any radius. Limit: nu* <= 1/3, for beyond it Kt is negative
+// and elements that can rotate are unstable.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+namespace demlua::law {
+
+/// Moduli of the plane problem: `youngs_modulus` in Pa.
+struct PlaneModuli {
+    double youngs_modulus;
+    double poissons_ratio;
+};
+
+/// E in Pa, nu below 1/2. Source: eq. 13, 14.
+constexpr PlaneModuli plane_moduli(double E, double nu, bool plane_strain) {
+    return plane_strain ? PlaneModuli{E / (1.0 - nu * nu), nu / (1.0 - nu)} : PlaneModuli{E, nu};
+}
+
+/// N/m.
+struct ContactStiffness {
+    double normal;
+    double shear;
+};
+
+/// `thickness` in m. Source: eq. 15, 16.
+constexpr ContactStiffness contact_stiffness(PlaneModuli plane, double thickness) {
+    const double nu = plane.poissons_ratio;
+    const double Kn = plane.youngs_modulus * thickness / (std::numbers::sqrt3 * (1.0 - nu));
+    return {Kn, Kn * (1.0 - 3.0 * nu) / (1.0 + nu)};
+}
+
+/// Two contacts' halves in series: the stiffness between elements of unlike materials. Zero when either is zero.
+constexpr double in_series(double a, double b) { return a + b > 0.0 ? 2.0 * a * b / (a + b) : 0.0; }
+
+} // namespace demlua::law

@@ -1,0 +1,261 @@
+#include "engine/model/check.hpp"
+
+#include "engine/model/setting.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace demlua::model {
+
+namespace {
+
+/// Problems as they are found, in the order of the scene.
+struct Findings {
+    std::vector<Problem> problems;
+
+    void add(const Place& place, std::string what, std::string value, std::string rule, std::string hint = {}) {
+        problems.push_back({place, std::move(what), std::move(value), std::move(rule), std::move(hint)});
+    }
+};
+
+std::string quoted(const std::string& text) { return '"' + text + '"'; }
+
+void check_material(const Material& material, Plane plane, Findings& findings) {
+    const double limit = plane == Plane::stress ? 1.0 / 3.0 : 0.25;
+    if (material.poissons_ratio > limit) {
+        findings.add(material.place, "material.poissons_ratio", text_of(material.poissons_ratio),
+                     plane == Plane::stress ? "must be at most 1/3 in plane stress"
+                                            : "must be at most 1/4 in plane strain",
+                     "beyond it bonds would need a negative shear stiffness");
+    }
+    if (material.restitution && material.contact_damping) {
+        findings.add(material.place, "material.contact_damping", text_of(*material.contact_damping),
+                     "must not be given beside restitution", "each follows from the other");
+    }
+}
+
+void check_bonds(const Body& body, const Scene& scene, Findings& findings) {
+    if (!std::holds_alternative<PlateauBonds>(body.bonds) || body.material >= scene.materials.size()) return;
+    const Material& material = scene.materials[body.material];
+    const auto need = [&](bool given, const char* setting) {
+        if (given) return;
+        findings.add(body.place, "body.bonds", "dem.plateau",
+                     "needs " + std::string(setting) + " in material " + quoted(material.name));
+    };
+    need(material.tensile_strength.has_value(), "tensile_strength");
+    need(material.fracture_toughness.has_value(), "fracture_toughness");
+}
+
+/// A disk of this radius cannot lie inside a box narrower than its diameter, whatever the region in it.
+void check_room(const Body& body, double radius, Findings& findings) {
+    const Vec2 size = body.region.bounds().size();
+    if (radius <= 0.0 || (size.x >= 2.0 * radius && size.y >= 2.0 * radius)) return;
+    findings.add(body.place, "body.region", text_of(size.x) + " m by " + text_of(size.y) + " m",
+                 "is too small for one element of radius " + text_of(radius) + " m");
+}
+
+void check_consolidation(const Body& body, const Consolidation& packing, Findings& findings) {
+    if ((packing.count == 0) == (packing.radius == 0.0)) {
+        findings.add(body.place, "consolidated.count", packing.count == 0 ? "" : std::to_string(packing.count),
+                     "exactly one of count and radius must be given");
+    }
+    check_room(body, packing.radius, findings);
+}
+
+void check_packing(const Body& body, Findings& findings) {
+    if (std::holds_alternative<std::monostate>(body.packing)) {
+        findings.add(body.place, "body.packing", "", "is missing: a body without packing has no elements");
+        return;
+    }
+    if (std::holds_alternative<ListedDisks>(body.packing)) return;
+    const Box box = body.region.bounds();
+    if (box.empty()) {
+        findings.add(body.place, "body.region", "", "is missing or empty; only dem.disks needs none");
+        return;
+    }
+    if (!std::isfinite(box.size().x) || !std::isfinite(box.size().y)) {
+        findings.add(body.place, "body.region", "", "has no end; cut it with a * b where b is finite");
+        return;
+    }
+    if (const auto* close = std::get_if<ClosePacking>(&body.packing)) {
+        if (close->fit == Fit::inside) check_room(body, close->radius, findings);
+    }
+    if (const auto* pressed = std::get_if<Consolidation>(&body.packing)) {
+        check_consolidation(body, *pressed, findings);
+    }
+}
+
+bool selects_nothing(const Selection& selection) {
+    return !selection.body && !selection.within && !selection.where;
+}
+
+void check_selection(const Selection& selection, const std::string& word, const Place& place, Findings& findings) {
+    if (!selects_nothing(selection)) return;
+    findings.add(place, word, "", "selects nothing: give a body, a side, within or where");
+}
+
+void check_signal(const Signal& signal, const std::string& what, const Place& place, Findings& findings) {
+    for (std::size_t k = 0; k < signal.times.size(); ++k) {
+        if (!std::isfinite(signal.times[k]) || !std::isfinite(signal.values[k])) {
+            findings.add(place, what, "", "times and values must be finite, item " + std::to_string(k + 1) + " is not");
+            return;
+        }
+        if (k > 0 && signal.times[k] <= signal.times[k - 1]) {
+            findings.add(place, what, text_of(signal.times[k]) + " s after " + text_of(signal.times[k - 1]) + " s",
+                         "times must rise");
+            return;
+        }
+    }
+}
+
+void check_signal(const std::optional<Signal>& signal, const std::string& what, const Place& place,
+                  Findings& findings) {
+    if (signal) check_signal(*signal, what, place, findings);
+}
+
+void check_motion(const Motion& motion, Findings& findings) {
+    check_selection(motion.selection, "move", motion.place, findings);
+    check_signal(motion.velocity_x, "move.velocity_x", motion.place, findings);
+    check_signal(motion.velocity_y, "move.velocity_y", motion.place, findings);
+    check_signal(motion.displacement_x, "move.displacement_x", motion.place, findings);
+    check_signal(motion.displacement_y, "move.displacement_y", motion.place, findings);
+    check_signal(motion.spin, "move.spin", motion.place, findings);
+    if (motion.velocity_x && motion.displacement_x) {
+        findings.add(motion.place, "move.displacement_x", "", "must not be given beside velocity_x");
+    }
+    if (motion.velocity_y && motion.displacement_y) {
+        findings.add(motion.place, "move.displacement_y", "", "must not be given beside velocity_y");
+    }
+    if (!motion.velocity_x && !motion.velocity_y && !motion.displacement_x && !motion.displacement_y && !motion.spin) {
+        findings.add(motion.place, "move", "", "prescribes nothing: give velocity, displacement or spin");
+    }
+}
+
+void check_force(const Force& force, Findings& findings) {
+    check_selection(force.selection, "force", force.place, findings);
+    check_signal(force.x, "force.x", force.place, findings);
+    check_signal(force.y, "force.y", force.place, findings);
+}
+
+void check_traction(const Traction& traction, Findings& findings) {
+    if (!traction.selection.body || !traction.selection.side) {
+        findings.add(traction.place, "traction.selection", "", "must name a side of a body, such as plate.top");
+    }
+    check_signal(traction.stress_x, "traction.stress_x", traction.place, findings);
+    check_signal(traction.stress_y, "traction.stress_y", traction.place, findings);
+}
+
+void check_wall(const Wall& wall, Findings& findings) {
+    if (wall.path.size() < 2) {
+        findings.add(wall.place, "wall.path", std::to_string(wall.path.size()) + " points",
+                     "must have at least two points");
+    }
+    for (std::size_t k = 1; k < wall.path.size(); ++k) {
+        if (!(wall.path[k] == wall.path[k - 1])) continue;
+        findings.add(wall.place, "wall.path[" + std::to_string(k + 1) + "]", "",
+                     "must differ from the point before it");
+    }
+    check_signal(wall.velocity_x, "wall.velocity_x", wall.place, findings);
+    check_signal(wall.velocity_y, "wall.velocity_y", wall.place, findings);
+}
+
+void check_damping(const Damping& damping, Findings& findings) {
+    if (damping.second_fraction && !damping.second_frequency) {
+        findings.add(damping.place, "damping.second_frequency", "", "is missing: it goes with second_fraction");
+    }
+    if (damping.second_frequency && !damping.second_fraction) {
+        findings.add(damping.place, "damping.second_fraction", "", "is missing: it goes with second_frequency");
+    }
+    if (damping.second_frequency && *damping.second_frequency == damping.frequency) {
+        findings.add(damping.place, "damping.second_frequency", text_of(damping.frequency),
+                     "must differ from frequency");
+    }
+}
+
+void check_probe(const Probe& probe, const std::vector<std::string>& measurable, Findings& findings) {
+    if (std::find(measurable.begin(), measurable.end(), probe.measure) != measurable.end()) return;
+    findings.add(probe.place, "probe.measure", quoted(probe.measure), "is not a field of elements",
+                 did_you_mean(probe.measure, measurable));
+}
+
+/// Results are found by name, so a name must belong to one thing of its kind.
+template <class Named>
+void check_names(const std::vector<Named>& all, const std::string& word, Findings& findings) {
+    std::set<std::string> seen;
+    for (const Named& each : all) {
+        if (!each.name.empty() && !seen.insert(each.name).second) {
+            findings.add(each.place, word + ".name", quoted(each.name), "is already the name of another " + word);
+        }
+    }
+}
+
+double side_of(Vec2 a, Vec2 b, Vec2 point) { return cross(b - a, point - a); }
+
+bool in_box_of(Vec2 a, Vec2 b, Vec2 point) {
+    return std::min(a.x, b.x) <= point.x && point.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= point.y &&
+           point.y <= std::max(a.y, b.y);
+}
+
+/// Whether two closed segments have a point in common.
+bool meet(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+    const double c_side = side_of(a, b, c);
+    const double d_side = side_of(a, b, d);
+    const double a_side = side_of(c, d, a);
+    const double b_side = side_of(c, d, b);
+    if (c_side * d_side < 0.0 && a_side * b_side < 0.0) return true;
+    return (c_side == 0.0 && in_box_of(a, b, c)) || (d_side == 0.0 && in_box_of(a, b, d)) ||
+           (a_side == 0.0 && in_box_of(c, d, a)) || (b_side == 0.0 && in_box_of(c, d, b));
+}
+
+} // namespace
+
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& known) {
+    const std::string nearest = nearest_word(word, known);
+    return nearest.empty() ? std::string{} : "did you mean " + quoted(nearest) + "?";
+}
+
+std::string polygon_fault(const std::vector<Vec2>& corners) {
+    const std::size_t n = corners.size();
+    if (n < 3) return "must have at least three corners";
+    for (std::size_t i = 0; i < n; ++i) {
+        if (corners[i] == corners[(i + 1) % n]) {
+            return "corner " + std::to_string((i + 1) % n + 1) + " must differ from the one before it";
+        }
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t j = i + 2; j < n; ++j) {
+            if (i == 0 && j + 1 == n) continue; // the first side and the last share a corner
+            if (!meet(corners[i], corners[i + 1], corners[j], corners[(j + 1) % n])) continue;
+            return "sides must not cross: those after corners " + std::to_string(i + 1) + " and " +
+                   std::to_string(j + 1) + " do";
+        }
+    }
+    return {};
+}
+
+std::vector<Problem> check(const Scene& scene, const std::vector<std::string>& measurable) {
+    Findings findings;
+    for (const Material& material : scene.materials) check_material(material, scene.plane, findings);
+    for (const Body& body : scene.bodies) {
+        check_packing(body, findings);
+        check_bonds(body, scene, findings);
+    }
+    for (const Support& support : scene.supports) check_selection(support.selection, "fix", support.place, findings);
+    for (const Motion& motion : scene.motions) check_motion(motion, findings);
+    for (const Force& force : scene.forces) check_force(force, findings);
+    for (const Traction& traction : scene.tractions) check_traction(traction, findings);
+    for (const Wall& wall : scene.walls) check_wall(wall, findings);
+    for (const Notch& notch : scene.notches) {
+        if (notch.from == notch.to) findings.add(notch.place, "notch.to", "", "must differ from notch.from");
+    }
+    for (const Damping& damping : scene.dampings) check_damping(damping, findings);
+    for (const Probe& probe : scene.probes) check_probe(probe, measurable, findings);
+    check_names(scene.bodies, "body", findings);
+    check_names(scene.walls, "wall", findings);
+    check_names(scene.probes, "probe", findings);
+    return std::move(findings.problems);
+}
+
+} // namespace demlua::model

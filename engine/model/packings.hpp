@@ -1,0 +1,47 @@
+// How a body is to be filled with elements, as the user said it.
+#pragma once
+
+#include "engine/base/vec2.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <variant>
+#include <vector>
+
+namespace demlua::model {
+
+enum class Rows { horizontal, vertical };
+enum class Fit {
+    centres, ///< an element is kept when its centre lies in the region or on its boundary
+    inside   ///< an element is kept when its whole disk lies in the region
+};
+
+/// Hexagonal lattice of equal elements.
+struct ClosePacking {
+    double radius = 0.0;        ///< m
+    Rows rows = Rows::horizontal;
+    Fit fit = Fit::inside;
+    std::optional<Vec2> origin; ///< a lattice point, m
+};
+
+/// A pack consolidated from clusters (Tavarez & Plesha 2007, section 4).
+struct Consolidation {
+    int cluster = 3;              ///< elements in a cluster: 1, 2, 3, 4 or 7, touching each other
+    std::uint64_t count = 0;      ///< elements wanted (made up to whole clusters); 0: as many as `radius` gives
+    double radius = 0.0;          ///< element radius, m; 0: what `count` gives
+    double solid_fraction = 0.82; ///< area of the disks over the area of the region
+    std::uint64_t seed = 1;
+};
+
+/// Disks put down one by one.
+struct Disk {
+    Vec2 centre;         ///< m
+    double radius = 0.0; ///< m
+};
+struct ListedDisks {
+    std::vector<Disk> disks;
+};
+
+using PackingChoice = std::variant<std::monostate, ClosePacking, Consolidation, ListedDisks>;
+
+} // namespace demlua::model

@@ -1,0 +1,175 @@
+// What the user said, as plain checked values in SI units. A scene grows from top to bottom of the user's file;
+// what is added after a run takes effect before the next.
+#pragma once
+
+#include "engine/base/problems.hpp"
+#include "engine/base/signal.hpp"
+#include "engine/base/vec2.hpp"
+#include "engine/model/packings.hpp"
+#include "engine/model/region.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace demlua::model {
+
+enum class Plane { stress, strain };
+
+struct Material {
+    std::string name;
+    double youngs_modulus = 0.0;              ///< Pa
+    double poissons_ratio = 0.0;              ///< below 1/3 in plane stress, 1/4 in plane strain
+    double density = 0.0;                     ///< kg/m^3
+    std::optional<double> tensile_strength;   ///< Pa
+    std::optional<double> fracture_toughness; ///< Pa m^0.5
+    double rate_factor = 1.0;                 ///< constant factor on tensile strength and on fracture energy
+    double friction = 0.0;                    ///< Coulomb coefficient
+    std::optional<double> restitution;        ///< of a head-on impact, (0, 1]
+    std::optional<double> contact_damping;    ///< fraction of critical of the contact dashpots
+    Place place;
+};
+
+/// No bonds: every element is loose.
+struct NoBonds {};
+/// Bonds that never break.
+struct ElasticBonds {
+    double search = 0.1;  ///< elements are bonded when the gap between them is below this share of the mean radius
+    double damping = 0.0; ///< dashpots beside the springs, as a fraction of critical of one bond
+};
+/// Tavarez & Plesha 2007, eqs 32-36.
+struct PlateauBonds {
+    double search = 0.1;
+    double damping = 0.0;
+    bool break_in_shear = false; ///< also break when the plastic slip has spent the fracture energy (fig. 14b)
+};
+using BondChoice = std::variant<NoBonds, ElasticBonds, PlateauBonds>;
+
+struct Body {
+    std::string name;
+    std::size_t material = 0; ///< row of Scene::materials
+    Region region;
+    PackingChoice packing;
+    BondChoice bonds;
+    Vec2 velocity;     ///< at the start, m/s
+    double spin = 0.0; ///< at the start, about the centre of mass, rad/s
+    bool rigid = false;
+    Place place;
+};
+
+enum class Side { left, right, bottom, top };
+
+/// Elements chosen by any mixture of body, side of that body, region, and yes-or-no function of place, all of which
+/// must agree. Where the elements stand when the selection is first used decides.
+struct Selection {
+    std::optional<std::size_t> body;
+    std::optional<Side> side;
+    std::optional<Region> within;
+    std::function<bool(Vec2)> where;
+};
+
+/// Degrees of freedom held at rest.
+struct Support {
+    Selection selection;
+    bool x = true;
+    bool y = true;
+    bool rotation = true;
+    Place place;
+};
+
+/// Prescribed motion; a degree of freedom without a signal stays free.
+struct Motion {
+    Selection selection;
+    std::optional<Signal> velocity_x;     ///< m/s
+    std::optional<Signal> velocity_y;     ///< m/s
+    std::optional<Signal> displacement_x; ///< m, from where the element stands when the motion begins
+    std::optional<Signal> displacement_y; ///< m
+    std::optional<Signal> spin;           ///< rad/s
+    Place place;
+};
+
+/// A force shared equally among the elements selected.
+struct Force {
+    Selection selection;
+    Signal x; ///< N, sum over the elements
+    Signal y; ///< N
+    Place place;
+};
+
+/// Stress on one side of a body, each element taking the length of side that is nearest to it.
+struct Traction {
+    Selection selection; ///< names a body and a side
+    Signal stress_x;     ///< Pa, force along x per area of the side
+    Signal stress_y;     ///< Pa
+    bool hold_rotation = false;
+    Place place;
+};
+
+/// A rigid line of segments. Elements meet it from either side.
+struct Wall {
+    std::string name;
+    std::vector<Vec2> path; ///< m, at least two points
+    double friction = std::numeric_limits<double>::infinity(); ///< the smaller of wall's and element's counts
+    std::optional<Signal> velocity_x;                          ///< m/s
+    std::optional<Signal> velocity_y;                          ///< m/s
+    Place place;
+};
+
+/// A straight cut: bonds of the body that cross it are broken before the run, and turn frictional.
+struct Notch {
+    std::size_t body = 0;
+    Vec2 from;
+    Vec2 to;
+    Place place;
+};
+
+/// Rayleigh damping C = alpha M + beta K through fractions of critical at one or two frequencies. With one frequency it
+/// is mass-proportional alone.
+struct Damping {
+    double fraction = 0.0;  ///< of critical at `frequency`
+    double frequency = 0.0; ///< Hz
+    std::optional<double> second_fraction;
+    std::optional<double> second_frequency; ///< Hz
+    Place place;
+};
+
+/// The mean (for forces: the sum) of a field over a selection, written to the history.
+struct Probe {
+    std::string name;
+    Selection selection;
+    std::string measure; ///< name of an element field, see observe/fields
+    Place place;
+};
+
+enum class StepRule {
+    bound, ///< Gerschgorin bound on the assembly's highest frequency
+    paper  ///< Tavarez & Plesha 2007, eq. 19
+};
+
+struct Scene {
+    std::string title;
+    Plane plane = Plane::stress;
+    double thickness = 1.0; ///< m
+    Vec2 gravity;           ///< m/s^2
+    StepRule step_rule = StepRule::bound;
+    double step_fraction = 0.8;                      ///< of the critical time step
+    double greatest_move = 0.2;                      ///< share of its radius an element may move in a step
+    Place place;
+
+    std::vector<Material> materials;
+    std::vector<Body> bodies;
+    std::vector<Support> supports;
+    std::vector<Motion> motions;
+    std::vector<Force> forces;
+    std::vector<Traction> tractions;
+    std::vector<Wall> walls;
+    std::vector<Notch> notches;
+    std::vector<Damping> dampings; ///< the last one counts
+    std::vector<Probe> probes;
+};
+
+} // namespace demlua::model

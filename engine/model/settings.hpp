@@ -1,0 +1,109 @@
+// The words of the scene language. A new setting is one row in a settings_*.cpp; a new word is one function here, its
+// table there, an entry in all_words() and the few lines in scripting/ that say what the call does.
+#pragma once
+
+#include "engine/model/setting.hpp"
+
+#include <vector>
+
+namespace demlua::model {
+
+// --- what words say that no part of Scene holds as it was said -----------------------------------------------------
+
+struct RectangleSaid {
+    Vec2 at;
+    Vec2 size;
+};
+struct DiscSaid {
+    Vec2 centre;
+    double radius = 0.0;
+};
+struct PolygonSaid {
+    std::vector<Vec2> corners;
+};
+struct HalfPlaneSaid {
+    Vec2 point;
+    Vec2 outward;
+};
+/// A plane vector whose components are settings of their own.
+struct ShiftSaid {
+    double x = 0.0;
+    double y = 0.0;
+};
+struct TurnSaid {
+    double angle = 0.0;
+    Vec2 about;
+};
+struct DiskSaid {
+    double x = 0.0;
+    double y = 0.0;
+    double radius = 0.0;
+};
+struct RampSaid {
+    double to = 0.0;
+    double over = 0.0;
+    double from = 0.0;
+    std::optional<double> start;
+};
+struct HistorySaid {
+    double every = 0.0;
+};
+struct OutputSaid {
+    double every = 0.0;
+};
+struct EverySaid {
+    double interval = 0.0;
+    Callback act;
+};
+struct RunSaid {
+    double duration = 0.0;
+};
+struct Nothing {};
+
+// --- the words -------------------------------------------------------------------------------------------------------
+
+namespace words {
+
+const WordOf<Scene>& simulation();
+const WordOf<Material>& material();
+
+const WordOf<RectangleSaid>& rectangle();
+const WordOf<DiscSaid>& disc();
+const WordOf<PolygonSaid>& polygon();
+const WordOf<HalfPlaneSaid>& half_plane();
+const WordOf<ShiftSaid>& translated();
+const WordOf<TurnSaid>& rotated();
+
+const WordOf<ClosePacking>& close_packed();
+const WordOf<Consolidation>& consolidated();
+const WordOf<ListedDisks>& disks();
+const WordOf<DiskSaid>& disk();
+const WordOf<ElasticBonds>& elastic();
+const WordOf<PlateauBonds>& plateau();
+const WordOf<Body>& body();
+const WordOf<ShiftSaid>& set_velocity();
+
+const WordOf<Support>& fix();
+const WordOf<Motion>& move();
+const WordOf<Force>& force();
+const WordOf<Traction>& traction();
+const WordOf<RampSaid>& ramp();
+const WordOf<Wall>& wall();
+const WordOf<Wall>& wall_move();
+const WordOf<Notch>& notch();
+const WordOf<Damping>& damping();
+const WordOf<Probe>& probe();
+
+const WordOf<HistorySaid>& history();
+const WordOf<OutputSaid>& output();
+const WordOf<EverySaid>& every();
+const WordOf<RunSaid>& run();
+const WordOf<Nothing>& param();
+const WordOf<Nothing>& result();
+
+} // namespace words
+
+/// Every word a user calls with a table, in the order of the manual.
+const std::vector<const Word*>& all_words();
+
+} // namespace demlua::model

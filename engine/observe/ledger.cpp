@@ -1,0 +1,182 @@
+#include "engine/observe/ledger.hpp"
+
+#include "engine/step/bond_forces.hpp"
+#include "engine/step/motion.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <type_traits>
+
+namespace demlua::observe {
+
+namespace {
+
+/// m v- v+ / 2 in one degree of freedom, and what mass damping took in the half step before the instant.
+struct Motion {
+    double kinetic = 0.0;
+    double damped = 0.0;
+
+    void add(const state::State& state, double v, double force, double mass) {
+        const double next = step::kicked(v, force, 1.0 / mass, state.alpha, state.dt);
+        kinetic += 0.5 * mass * v * next;
+        damped += 0.5 * state.dt * state.alpha * mass * 0.5 * (v + next) * v;
+    }
+};
+
+Motion motion_energy(const state::State& state) {
+    const state::Elements& elements = state.elements;
+    Motion sum;
+    for (const state::Body& body : state.bodies) {
+        if (body.rigid) continue;
+        for (std::size_t k = body.first; k < body.last; ++k) {
+            sum.add(state, elements.vx[k], elements.fx[k], elements.mass(k));
+            sum.add(state, elements.vy[k], elements.fy[k], elements.mass(k));
+            sum.add(state, elements.spin[k], elements.moment[k], elements.inertia(k));
+        }
+    }
+    for (const state::RigidBody& rigid : state.rigid_bodies) {
+        sum.add(state, rigid.velocity.x, rigid.force.x, rigid.mass);
+        sum.add(state, rigid.velocity.y, rigid.force.y, rigid.mass);
+        sum.add(state, rigid.spin, rigid.moment, rigid.inertia);
+    }
+    return sum;
+}
+
+template <class Law>
+void add_bonds(const state::State& state, const state::BondSet<Law>& bonds, Ledger& ledger) {
+    for (std::size_t k = 0; k < bonds.size(); ++k) {
+        const auto history = bonds.history.at(k);
+        if (!bonds.is_broken(k)) {
+            ledger.bonds +=
+                Law::stored_energy(bonds.params, step::motion_of(bonds, state.elements, k), history);
+        }
+        if constexpr (Law::breaks) ledger.plastic += history.work;
+    }
+    for (const double spent : bonds.dashpots.spent) ledger.bond_damping += spent;
+    ledger.fracture += bonds.fracture_work;
+}
+
+template <class Contacts, class ParamsOf>
+void add_contacts(const Contacts& contacts, const ParamsOf& params_of, Ledger& ledger) {
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+        const state::ContactHistory history = contacts.history.at(c);
+        ledger.contacts += law::Coulomb::stored_energy(params_of(c), contacts.overlap[c], history);
+        ledger.friction += history.friction;
+        ledger.contact_damping += history.damped;
+    }
+    ledger.friction += contacts.spent.friction;
+    ledger.contact_damping += contacts.spent.damping;
+}
+
+double gravity_energy(const state::State& state) {
+    double sum = 0.0;
+    if (state.gravity == Vec2{}) return sum;
+    const state::Elements& elements = state.elements;
+    for (std::size_t k = 0; k < elements.size(); ++k) {
+        sum -= elements.mass(k) * dot(state.gravity, elements.displacement(k));
+    }
+    return sum;
+}
+
+} // namespace
+
+Vec2 velocity_now(const state::State& state, std::size_t element) {
+    const state::Elements& elements = state.elements;
+    const Vec2 v = elements.velocity(element);
+    if (state.bodies[elements.body[element]].rigid) return v;
+    const double inverse_mass = elements.inverse_mass[element];
+    return 0.5 * (v + Vec2{step::kicked(v.x, elements.fx[element], inverse_mass, state.alpha, state.dt),
+                           step::kicked(v.y, elements.fy[element], inverse_mass, state.alpha, state.dt)});
+}
+
+double spin_now(const state::State& state, std::size_t element) {
+    const state::Elements& elements = state.elements;
+    const double spin = elements.spin[element];
+    if (state.bodies[elements.body[element]].rigid) return spin;
+    return 0.5 * (spin + step::kicked(spin, elements.moment[element], elements.inverse_inertia[element], state.alpha,
+                                      state.dt));
+}
+
+Ledger ledger_of(const state::State& state) {
+    Ledger ledger;
+    const Motion motion = motion_energy(state);
+    ledger.kinetic = motion.kinetic;
+    for (const state::AnyBondSet& any : state.bond_sets) {
+        std::visit([&](const auto& bonds) { add_bonds(state, bonds, ledger); }, any);
+    }
+    add_contacts(
+        state.contacts, [&](std::size_t c) { return state.contacts.rules[state.contacts.rule[c]].params; }, ledger);
+    add_contacts(
+        state.wall_contacts,
+        [&](std::size_t c) {
+            const std::size_t body = state.elements.body[state.wall_contacts.element[c]];
+            const law::ContactStiffness& k = state.materials[state.bodies[body].material].stiffness;
+            return law::Coulomb::Params{k.normal, k.shear, 0.0};
+        },
+        ledger);
+    ledger.potential = gravity_energy(state);
+    ledger.mass_damping = state.booked.mass_damping + motion.damped;
+    ledger.work = state.booked.loads + state.booked.drives + state.booked.walls;
+    return ledger;
+}
+
+double balance(const Ledger& ledger) {
+    return ledger.kinetic + ledger.bonds + ledger.contacts + ledger.potential + ledger.plastic + ledger.fracture +
+           ledger.friction + ledger.bond_damping + ledger.contact_damping + ledger.mass_damping - ledger.work;
+}
+
+Momentum momentum_of(const state::State& state) {
+    const state::Elements& elements = state.elements;
+    Momentum sum;
+    const auto add = [&](double mass, double inertia, Vec2 position, Vec2 velocity, double spin) {
+        sum.linear += mass * velocity;
+        sum.angular += mass * cross(position, velocity) + inertia * spin;
+    };
+    for (const state::Body& body : state.bodies) {
+        if (body.rigid) continue;
+        for (std::size_t k = body.first; k < body.last; ++k) {
+            add(elements.mass(k), elements.inertia(k), elements.position(k), velocity_now(state, k),
+                spin_now(state, k));
+        }
+    }
+    for (const state::RigidBody& rigid : state.rigid_bodies) {
+        const auto now = [&](double v, double force, double inertia) {
+            return 0.5 * (v + step::kicked(v, force, 1.0 / inertia, state.alpha, state.dt));
+        };
+        add(rigid.mass, rigid.inertia, rigid.centre + rigid.displacement,
+            {now(rigid.velocity.x, rigid.force.x, rigid.mass), now(rigid.velocity.y, rigid.force.y, rigid.mass)},
+            now(rigid.spin, rigid.moment, rigid.inertia));
+    }
+    return sum;
+}
+
+BodyMotion motion_of_body(const state::State& state, std::size_t row) {
+    const state::Elements& elements = state.elements;
+    const state::Body& body = state.bodies[row];
+    constexpr double huge = std::numeric_limits<double>::infinity();
+    BodyMotion motion;
+    motion.extent = {{huge, huge}, {-huge, -huge}};
+    for (std::size_t k = body.first; k < body.last; ++k) {
+        const Vec2 at = elements.position(k);
+        const double R = elements.radius[k];
+        motion.mass += elements.mass(k);
+        motion.centre += elements.mass(k) * at;
+        motion.velocity += elements.mass(k) * velocity_now(state, k);
+        motion.extent.lower = {std::min(motion.extent.lower.x, at.x - R), std::min(motion.extent.lower.y, at.y - R)};
+        motion.extent.upper = {std::max(motion.extent.upper.x, at.x + R), std::max(motion.extent.upper.y, at.y + R)};
+    }
+    motion.centre = motion.centre / motion.mass;
+    motion.velocity = motion.velocity / motion.mass;
+    double inertia = 0.0;
+    double angular = 0.0;
+    for (std::size_t k = body.first; k < body.last; ++k) {
+        const Vec2 arm = elements.position(k) - motion.centre;
+        inertia += elements.mass(k) * dot(arm, arm) + elements.inertia(k);
+        angular += elements.mass(k) * cross(arm, velocity_now(state, k) - motion.velocity) +
+                   elements.inertia(k) * spin_now(state, k);
+    }
+    motion.spin = angular / inertia;
+    return motion;
+}
+
+} // namespace demlua::observe

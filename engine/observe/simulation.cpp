@@ -1,0 +1,332 @@
+#include "engine/observe/simulation.hpp"
+
+#include "engine/observe/cracks.hpp"
+#include "engine/observe/fields.hpp"
+#include "engine/observe/hash.hpp"
+#include "engine/observe/ledger.hpp"
+#include "engine/state/assemble.hpp"
+#include "engine/state/bond_assembly.hpp"
+#include "engine/state/loading.hpp"
+#include "engine/state/selection.hpp"
+#include "engine/step/step.hpp"
+#include "engine/step/time_step.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace demlua::observe {
+
+namespace {
+
+/// Rows of State::drives and State::loads that one statement of the scene made.
+struct Rows {
+    std::vector<std::size_t> drives;
+    std::optional<std::size_t> load;
+};
+
+/// How much of the scene has been taken in.
+struct Taken {
+    std::size_t supports = 0;
+    std::size_t notches = 0;
+    std::size_t dampings = 0;
+    std::vector<Rows> motions, forces, tractions;
+};
+
+law::Rayleigh rayleigh_of(const model::Damping& damping) {
+    if (damping.second_fraction && damping.second_frequency) {
+        return law::rayleigh(damping.fraction, damping.frequency, *damping.second_fraction, *damping.second_frequency);
+    }
+    return law::rayleigh(damping.fraction, damping.frequency);
+}
+
+/// The step that makes `interval` a whole number of steps, if that costs little; else `longest`.
+double fitted_step(double longest, double interval) {
+    constexpr double fewest_steps = 20.0;
+    const double steps = std::ceil(interval / longest * (1.0 - 1e-12));
+    return steps >= fewest_steps ? interval / steps : longest;
+}
+
+} // namespace
+
+struct Simulation::Inside {
+    model::Scene scene;
+    Team team;
+    step::Stepper stepper;
+    std::vector<std::string> notes;
+    Taken taken;
+    double beta = 0.0; ///< of the dashpots laid beside the bonds, s
+    step::StableStep stable;
+    bool step_outdated = true;
+    bool started = false;
+    double balance_at_start = 0.0;
+    bool stopping = false;
+    std::string stop_reason;
+
+    Inside(const model::Scene& said, int threads, const state::State& state, std::vector<std::string> facts)
+        : scene(said), team(threads), stepper(team, state, said.greatest_move), notes(std::move(facts)) {}
+};
+
+Simulation::Simulation(const model::Scene& scene, int threads) {
+    state::Assembly assembly = state::assemble(scene);
+    state_ = std::make_unique<state::State>(std::move(assembly.state));
+    inside_ = std::make_unique<Inside>(scene, threads, *state_, std::move(assembly.notes));
+    take_in(scene);
+    step::refresh_contacts(*state_, inside_->stepper.search);
+    prepare(std::numeric_limits<double>::infinity());
+}
+
+Simulation::~Simulation() = default;
+
+// --- changing ---------------------------------------------------------------------------------------------------------
+
+void Simulation::add_drives(std::vector<std::size_t>& rows, std::vector<state::Drive> drives) {
+    for (state::Drive& drive : drives) {
+        rows.push_back(state_->drives.size());
+        state_->drives.push_back(std::move(drive));
+    }
+}
+
+void Simulation::take_in(const model::Scene& scene) {
+    Taken& taken = inside_->taken;
+    if (scene.bodies.size() != state_->bodies.size() || scene.walls.size() != state_->walls.size()) {
+        const Place& place =
+            scene.bodies.size() != state_->bodies.size() ? scene.bodies.back().place : scene.walls.back().place;
+        throw SceneError(Problem{place, "body or wall", "", "must be said before the first run", ""});
+    }
+    for (; taken.notches < scene.notches.size(); ++taken.notches) {
+        const model::Notch& notch = scene.notches[taken.notches];
+        if (state::cut(*state_, notch.body, notch.from, notch.to) == 0) {
+            throw SceneError(Problem{notch.place, "notch", "", "cuts no bond that could break",
+                                     "does it cross the body, and do its bonds break?"});
+        }
+        inside_->stepper.search.travelled = std::numeric_limits<double>::infinity();
+        inside_->step_outdated = true;
+    }
+    std::vector<std::size_t> unreplaceable;
+    for (; taken.supports < scene.supports.size(); ++taken.supports) {
+        add_drives(unreplaceable, state::drives_of(scene.supports[taken.supports], *state_));
+    }
+    for (std::size_t row = taken.motions.size(); row < scene.motions.size(); ++row) {
+        add_drives(taken.motions.emplace_back().drives, state::drives_of(scene.motions[row], *state_));
+    }
+    for (std::size_t row = taken.forces.size(); row < scene.forces.size(); ++row) {
+        taken.forces.push_back({{}, state_->loads.size()});
+        state_->loads.push_back(state::load_of(scene.forces[row], *state_));
+    }
+    for (std::size_t row = taken.tractions.size(); row < scene.tractions.size(); ++row) {
+        const model::Traction& traction = scene.tractions[row];
+        Rows& rows = taken.tractions.emplace_back();
+        rows.load = state_->loads.size();
+        state_->loads.push_back(
+            state::load_of(traction, scene.bodies[traction.selection.body.value()], *state_));
+        add_drives(rows.drives, state::drives_of(traction, *state_));
+    }
+    if (taken.dampings < scene.dampings.size()) {
+        taken.dampings = scene.dampings.size();
+        const law::Rayleigh damping = rayleigh_of(scene.dampings.back());
+        state_->alpha = damping.alpha;
+        for (state::AnyBondSet& bonds : state_->bond_sets) {
+            if (damping.beta != inside_->beta) state::add_stiffness_damping(bonds, damping.beta - inside_->beta);
+        }
+        inside_->beta = damping.beta;
+        inside_->step_outdated = true;
+    }
+    inside_->scene = scene;
+}
+
+void Simulation::replace_force(std::size_t row, const model::Force& force) {
+    state_->loads[inside_->taken.forces.at(row).load.value()] = state::load_of(force, *state_);
+}
+
+void Simulation::replace_traction(std::size_t row, const model::Traction& traction) {
+    const model::Body& body = inside_->scene.bodies[traction.selection.body.value()];
+    state::Load load = state::load_of(traction, body, *state_);
+    state_->loads[inside_->taken.tractions.at(row).load.value()] = std::move(load);
+}
+
+void Simulation::replace_motion(std::size_t row, const model::Motion& motion) {
+    std::vector<std::size_t>& rows = inside_->taken.motions.at(row).drives;
+    std::vector<state::Drive> drives = state::drives_of(motion, *state_);
+    for (const std::size_t old : rows) state_->drives[old] = {};
+    rows.clear();
+    add_drives(rows, std::move(drives));
+}
+
+void Simulation::set_wall_velocity(std::size_t wall, const Signal& x, const Signal& y) {
+    state_->walls.at(wall).velocity_x = x;
+    state_->walls.at(wall).velocity_y = y;
+}
+
+void Simulation::set_velocity(const model::Selection& selection, Vec2 velocity) {
+    const double before = ledger_of(*state_).kinetic;
+    for (const Index k : state::selected(selection, *state_)) {
+        if (const auto rigid = state_->bodies[state_->elements.body[k]].rigid) {
+            state_->rigid_bodies[*rigid].velocity = velocity;
+        }
+        state_->elements.vx[k] = velocity.x;
+        state_->elements.vy[k] = velocity.y;
+    }
+    state_->booked.loads += ledger_of(*state_).kinetic - before;
+}
+
+// --- running ----------------------------------------------------------------------------------------------------------
+
+void Simulation::prepare(double shortest_interval) {
+    const model::Scene& scene = inside_->scene;
+    if (inside_->step_outdated) {
+        inside_->stable = scene.step_rule == model::StepRule::paper ? step::paper_step(*state_, scene.place)
+                                                                    : step::safe_step(*state_);
+        inside_->step_outdated = false;
+    }
+    double longest = scene.step_fraction * inside_->stable.critical;
+    if (!std::isfinite(longest)) longest = 1e-3 * (std::isfinite(shortest_interval) ? shortest_interval : 1.0);
+    const double dt = std::isfinite(shortest_interval) ? fitted_step(longest, shortest_interval) : longest;
+    if (!inside_->started) {
+        state_->dt = dt;
+    } else if (dt != state_->dt) {
+        step::change_step(*state_, dt);
+    }
+}
+
+RunReport Simulation::run(double duration, const std::vector<Watcher>& watchers, const std::atomic<bool>* interrupted) {
+    const auto begin = std::chrono::steady_clock::now();
+    double shortest = duration;
+    for (const Watcher& watcher : watchers) {
+        if (watcher.every > 0.0) shortest = std::min(shortest, watcher.every);
+    }
+    prepare(shortest);
+    if (!inside_->started) {
+        step::start(*state_, inside_->stepper);
+        inside_->balance_at_start = balance(ledger_of(*state_));
+        inside_->started = true;
+    }
+    RunReport report = run_until(state_->time + duration, watchers, interrupted);
+    report.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return report;
+}
+
+RunReport Simulation::run_until(double end, const std::vector<Watcher>& watchers,
+                                const std::atomic<bool>* interrupted) {
+    const double begin = state_->time;
+    const std::uint64_t first_step = state_->step;
+    const double tolerance = 1e-6 * state_->dt;
+    std::vector<std::uint64_t> looked(watchers.size(), 0); // instants each watcher has had so far
+    inside_->stopping = false;
+    RunReport report;
+    while (true) {
+        const bool asked_to_end = interrupted != nullptr && interrupted->load(std::memory_order_relaxed);
+        const bool last = asked_to_end || state_->time >= end - tolerance;
+        for (std::size_t w = 0; w < watchers.size(); ++w) {
+            const double due = begin + static_cast<double>(looked[w]) * watchers[w].every;
+            if (!last && state_->time < due - tolerance) continue;
+            ++looked[w];
+            watchers[w].act(*this);
+        }
+        if (asked_to_end) report.ending = Ending::interrupted;
+        if (inside_->stopping) report.ending = Ending::stopped;
+        if (last || inside_->stopping) break;
+        step::advance(*state_, inside_->stepper);
+        if (state_->step % energy_checked_every == 0) check_energy();
+    }
+    report.reason = inside_->stop_reason;
+    report.steps = state_->step - first_step;
+    return report;
+}
+
+void Simulation::check_energy() const {
+    const Ledger now = ledger();
+    const double spent = now.plastic + now.fracture + now.friction + now.bond_damping + now.contact_damping;
+    const double scale = std::fabs(inside_->balance_at_start) + std::fabs(now.work) + std::fabs(now.potential) + spent;
+    if (now.error <= scale) return;
+    const state::Elements& elements = state_->elements;
+    std::size_t fastest = 0;
+    for (std::size_t k = 0; k < elements.size(); ++k) {
+        if (norm(elements.velocity(k)) > norm(elements.velocity(fastest))) fastest = k;
+    }
+    throw RunError(fmt::format("energy ran away: {:.4g} J more than was put in, at t = {:.6g} s (step {}); the fastest "
+                               "is element {} of body \"{}\" at {:.4g} m/s; take a smaller step_fraction",
+                               now.error, state_->time, state_->step, fastest,
+                               state_->bodies[elements.body[fastest]].name, norm(elements.velocity(fastest))));
+}
+
+void Simulation::stop(std::string reason) {
+    inside_->stopping = true;
+    inside_->stop_reason = std::move(reason);
+}
+
+// --- looking ----------------------------------------------------------------------------------------------------------
+
+double Simulation::time() const { return state_->time; }
+std::uint64_t Simulation::step() const { return state_->step; }
+double Simulation::time_step() const { return state_->dt; }
+
+std::string Simulation::time_step_reason() const {
+    return fmt::format("{:.3g} of {:.4g} s: {}", state_->dt / inside_->stable.critical, inside_->stable.critical,
+                       inside_->stable.reason);
+}
+
+std::size_t Simulation::element_count() const { return state_->elements.size(); }
+std::size_t Simulation::bond_count() const { return observe::bond_count(*state_); }
+
+std::size_t Simulation::contact_count() const {
+    const auto touching = [](const Column<double>& overlap) {
+        return static_cast<std::size_t>(
+            std::count_if(overlap.begin(), overlap.end(), [](double depth) { return depth > 0.0; }));
+    };
+    return touching(state_->contacts.overlap) + touching(state_->wall_contacts.overlap);
+}
+
+std::size_t Simulation::broken_bonds() const { return broken_bond_count(*state_); }
+double Simulation::crack_length() const { return crack_length_of(*state_); }
+std::size_t Simulation::fragments() const { return fragment_count(fragment_of_elements(*state_)); }
+
+Ledger Simulation::ledger() const {
+    Ledger now = ledger_of(*state_);
+    if (inside_->started) now.error = balance(now) - inside_->balance_at_start;
+    return now;
+}
+
+Momentum Simulation::momentum() const { return momentum_of(*state_); }
+BodyMotion Simulation::body_motion(std::size_t body) const { return motion_of_body(*state_, body); }
+Vec2 Simulation::wall_force(std::size_t wall) const { return state_->walls.at(wall).force; }
+
+Snapshot Simulation::snapshot() const {
+    Snapshot snapshot;
+    snapshot.time = state_->time;
+    snapshot.step = state_->step;
+    snapshot.position.reserve(state_->elements.size());
+    for (std::size_t k = 0; k < state_->elements.size(); ++k) snapshot.position.push_back(state_->elements.position(k));
+    for (const ElementField& field : element_fields()) {
+        if (!field.present(*state_)) continue;
+        snapshot.element_fields.push_back({field.name, field.unit, field.components, field.values(*state_)});
+    }
+    add_bonds_to(snapshot, *state_);
+    return snapshot;
+}
+
+void Simulation::add_probes(HistoryRow& row) const {
+    for (const model::Probe& probe : inside_->scene.probes) {
+        row.emplace_back(probe.name, measure(probe.measure, probe.selection));
+    }
+}
+
+std::vector<std::string> Simulation::notes() const { return inside_->notes; }
+std::string Simulation::schedule() const { return step::schedule_line(*state_); }
+std::uint64_t Simulation::hash() const { return hash_of(*state_); }
+
+std::vector<StageTime> Simulation::stage_times() const {
+    std::vector<StageTime> times;
+    for (std::size_t s = 0; s < step::stage_names.size(); ++s) {
+        if (inside_->stepper.clock.seconds[s] > 0.0) {
+            times.push_back({step::stage_names[s], inside_->stepper.clock.seconds[s]});
+        }
+    }
+    return times;
+}
+
+} // namespace demlua::observe

@@ -1,0 +1,138 @@
+#include "engine/output/summary.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+
+namespace demlua::output {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class T>
+void put(Json& json, const char* name, const std::optional<T>& value) {
+    if (value) json[name] = *value;
+}
+
+Json pair_json(Vec2 value) { return Json::array({value.x, value.y}); }
+
+Json material_json(const model::Material& material) {
+    Json json{{"name", material.name},
+              {"youngs_modulus", material.youngs_modulus},
+              {"poissons_ratio", material.poissons_ratio},
+              {"density", material.density}};
+    put(json, "tensile_strength", material.tensile_strength);
+    put(json, "fracture_toughness", material.fracture_toughness);
+    json["rate_factor"] = material.rate_factor;
+    json["friction"] = material.friction;
+    put(json, "restitution", material.restitution);
+    put(json, "contact_damping", material.contact_damping);
+    return json;
+}
+
+Json packing_json(const std::monostate& /*none*/) { return nullptr; }
+
+Json packing_json(const model::ClosePacking& packing) {
+    Json json{{"kind", "close_packed"},
+              {"radius", packing.radius},
+              {"rows", packing.rows == model::Rows::horizontal ? "horizontal" : "vertical"},
+              {"fit", packing.fit == model::Fit::inside ? "inside" : "centres"}};
+    if (packing.origin) json["origin"] = pair_json(*packing.origin);
+    return json;
+}
+
+Json packing_json(const model::Consolidation& packing) {
+    return {{"kind", "consolidated"},
+            {"cluster", packing.cluster},
+            {"count", packing.count},
+            {"radius", packing.radius},
+            {"solid_fraction", packing.solid_fraction},
+            {"seed", packing.seed}};
+}
+
+Json packing_json(const model::ListedDisks& packing) {
+    return {{"kind", "disks"}, {"count", packing.disks.size()}};
+}
+
+Json bonds_json(const model::NoBonds& /*none*/) { return {{"law", "none"}}; }
+
+Json bonds_json(const model::ElasticBonds& bonds) {
+    return {{"law", "elastic"}, {"search", bonds.search}, {"damping", bonds.damping}};
+}
+
+Json bonds_json(const model::PlateauBonds& bonds) {
+    return {{"law", "plateau"},
+            {"search", bonds.search},
+            {"damping", bonds.damping},
+            {"break_in_shear", bonds.break_in_shear}};
+}
+
+Json body_json(const model::Body& body, const model::Scene& scene, std::size_t count) {
+    Json json{{"name", body.name}, {"elements", count}};
+    json["material"] = scene.materials.at(body.material).name;
+    json["packing"] = std::visit([](const auto& packing) { return packing_json(packing); }, body.packing);
+    json["bonds"] = std::visit([](const auto& bonds) { return bonds_json(bonds); }, body.bonds);
+    json["velocity"] = pair_json(body.velocity);
+    json["spin"] = body.spin;
+    json["rigid"] = body.rigid;
+    return json;
+}
+
+/// Seeds by body, of the packings that draw random numbers.
+Json seeds_json(const model::Scene& scene) {
+    Json json = Json::object();
+    for (const auto& body : scene.bodies) {
+        if (const auto* drawn = std::get_if<model::Consolidation>(&body.packing))
+            json[body.name] = drawn->seed;
+    }
+    return json;
+}
+
+Json counts_json(const model::Scene& scene) {
+    return {{"supports", scene.supports.size()}, {"motions", scene.motions.size()},
+            {"forces", scene.forces.size()},     {"tractions", scene.tractions.size()},
+            {"walls", scene.walls.size()},       {"notches", scene.notches.size()},
+            {"probes", scene.probes.size()}};
+}
+
+/// Counted by selecting each body's elements, as a probe would.
+std::vector<std::size_t> body_counts(const model::Scene& scene, const observe::Simulation& simulation) {
+    std::vector<std::size_t> counts;
+    for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
+        model::Selection selection;
+        selection.body = body;
+        counts.push_back(simulation.field("radius", selection).size());
+    }
+    return counts;
+}
+
+} // namespace
+
+std::string inputs_json(const model::Scene& scene, const observe::Simulation& simulation) {
+    const auto counts = body_counts(scene, simulation);
+    Json json;
+    json["title"] = scene.title;
+    json["plane"] = scene.plane == model::Plane::stress ? "stress" : "strain";
+    json["thickness"] = scene.thickness;
+    json["gravity"] = pair_json(scene.gravity);
+    json["step_rule"] = scene.step_rule == model::StepRule::bound ? "bound" : "paper";
+    json["step_fraction"] = scene.step_fraction;
+    json["seeds"] = seeds_json(scene);
+    json["materials"] = Json::array();
+    for (const auto& material : scene.materials) json["materials"].push_back(material_json(material));
+    json["bodies"] = Json::array();
+    for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+        json["bodies"].push_back(body_json(scene.bodies[k], scene, counts[k]));
+    }
+    if (!scene.dampings.empty()) {
+        const auto& damping = scene.dampings.back();
+        Json& entry = json["damping"] = {{"fraction", damping.fraction}, {"frequency", damping.frequency}};
+        put(entry, "second_fraction", damping.second_fraction);
+        put(entry, "second_frequency", damping.second_frequency);
+    }
+    json["counts"] = counts_json(scene);
+    return json.dump();
+}
+
+} // namespace demlua::output

@@ -1,0 +1,226 @@
+#include "engine/state/assemble.hpp"
+
+#include "engine/base/cell_grid.hpp"
+#include "engine/law/restitution.hpp"
+#include "engine/packing/packing.hpp"
+#include "engine/state/bond_assembly.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <numbers>
+#include <type_traits>
+#include <utility>
+
+namespace demlua::state {
+
+namespace {
+
+packing::Packing listed(const model::ListedDisks& list) {
+    packing::Packing pack;
+    for (const model::Disk& disk : list.disks) {
+        pack.centre.push_back(disk.centre);
+        pack.radius.push_back(disk.radius);
+        pack.cluster.push_back(static_cast<Index>(pack.cluster.size()));
+        pack.cell_area.push_back(std::numbers::pi * disk.radius * disk.radius);
+    }
+    return pack;
+}
+
+packing::Packing packed(const model::Body& body) {
+    return std::visit(
+        [&](const auto& choice) -> packing::Packing {
+            using Choice = std::decay_t<decltype(choice)>;
+            if constexpr (std::is_same_v<Choice, model::ClosePacking>) {
+                return packing::close_packed(body.region, choice.radius, choice.rows, choice.fit, choice.origin);
+            } else if constexpr (std::is_same_v<Choice, model::Consolidation>) {
+                return packing::consolidated(body.region, choice);
+            } else if constexpr (std::is_same_v<Choice, model::ListedDisks>) {
+                return listed(choice);
+            } else {
+                return {};
+            }
+        },
+        body.packing);
+}
+
+MaterialFacts facts_of(const model::Material& material, const model::Scene& scene) {
+    MaterialFacts facts;
+    facts.stiffness = law::contact_stiffness(law::plane_moduli(material.youngs_modulus, material.poissons_ratio,
+                                                               scene.plane == model::Plane::strain),
+                                             scene.thickness);
+    facts.friction = material.friction;
+    if (material.contact_damping) facts.damping_fraction = *material.contact_damping;
+    if (material.restitution) facts.damping_fraction = law::damping_fraction(*material.restitution);
+    return facts;
+}
+
+void place_body(const model::Scene& scene, std::size_t row, const packing::Packing& pack, Index first_cluster,
+                State& state) {
+    const model::Body& said = scene.bodies[row];
+    const double density = scene.materials[said.material].density;
+    Elements& elements = state.elements;
+    Body body{said.name, said.material, elements.size(), elements.size() + pack.centre.size(), std::nullopt};
+    elements.grow(pack.centre.size());
+    for (std::size_t p = 0; p < pack.centre.size(); ++p) {
+        const std::size_t k = body.first + p;
+        const double R = pack.radius[p];
+        const double mass = density * pack.cell_area[p] * scene.thickness;
+        elements.reference_x[k] = pack.centre[p].x;
+        elements.reference_y[k] = pack.centre[p].y;
+        elements.radius[k] = R;
+        elements.cell_area[k] = pack.cell_area[p];
+        elements.inverse_mass[k] = 1.0 / mass;
+        elements.inverse_inertia[k] = 2.0 / (mass * R * R);
+        elements.body[k] = static_cast<Index>(row);
+        elements.cluster[k] = first_cluster + pack.cluster[p];
+    }
+    state.bodies.push_back(std::move(body));
+}
+
+RigidBody as_one(const State& state, std::size_t row) {
+    const Elements& elements = state.elements;
+    const Body& body = state.bodies[row];
+    RigidBody rigid;
+    rigid.body = row;
+    for (std::size_t k = body.first; k < body.last; ++k) {
+        rigid.mass += elements.mass(k);
+        rigid.centre += elements.mass(k) * elements.position(k);
+    }
+    rigid.centre = rigid.centre / rigid.mass;
+    for (std::size_t k = body.first; k < body.last; ++k) {
+        const Vec2 arm = elements.position(k) - rigid.centre;
+        rigid.inertia += elements.mass(k) * dot(arm, arm) + elements.inertia(k);
+    }
+    return rigid;
+}
+
+void set_moving(const model::Body& said, std::size_t row, State& state) {
+    const RigidBody whole = as_one(state, row);
+    Elements& elements = state.elements;
+    const Body& body = state.bodies[row];
+    for (std::size_t k = body.first; k < body.last; ++k) {
+        const Vec2 v = said.velocity + said.spin * turned_left(elements.position(k) - whole.centre);
+        elements.vx[k] = v.x;
+        elements.vy[k] = v.y;
+        elements.spin[k] = said.spin;
+    }
+    if (!said.rigid) return;
+    state.bodies[row].rigid = state.rigid_bodies.size();
+    state.rigid_bodies.push_back(whole);
+    state.rigid_bodies.back().velocity = said.velocity;
+    state.rigid_bodies.back().spin = said.spin;
+}
+
+/// Bodies that lie in one another by more than a pack may overlap its region start with forces nobody asked for.
+std::vector<Problem> overlapping_bodies(const model::Scene& scene, const State& state) {
+    const Elements& elements = state.elements;
+    std::vector<Vec2> points(elements.size());
+    for (std::size_t k = 0; k < points.size(); ++k) points[k] = elements.position(k);
+    const double largest = *std::max_element(elements.radius.begin(), elements.radius.end());
+    CellGrid grid;
+    grid.build(points, 2.0 * largest);
+    std::vector<std::vector<double>> deepest(state.bodies.size(), std::vector<double>(state.bodies.size(), 0.0));
+    grid.for_each_pair(2.0 * largest, [&](Index i, Index j) {
+        const std::size_t a = std::min(elements.body[i], elements.body[j]);
+        const std::size_t b = std::max(elements.body[i], elements.body[j]);
+        if (a == b) return;
+        const double touch = elements.radius[i] + elements.radius[j];
+        deepest[a][b] = std::max(deepest[a][b], (touch - norm(points[j] - points[i])) / touch);
+    });
+    std::vector<Problem> problems;
+    for (std::size_t a = 0; a < deepest.size(); ++a) {
+        for (std::size_t b = a + 1; b < deepest.size(); ++b) {
+            if (deepest[a][b] < 0.01) continue;
+            problems.push_back({scene.bodies[b].place, "body.region", '"' + scene.bodies[b].name + '"',
+                                fmt::format("overlaps body \"{}\" at the start, by {:.2g} of a diameter",
+                                            scene.bodies[a].name, deepest[a][b]),
+                                "move one of them apart"});
+        }
+    }
+    return problems;
+}
+
+void lay_out_walls(const model::Scene& scene, State& state) {
+    for (const model::Wall& said : scene.walls) {
+        Wall wall;
+        wall.name = said.name;
+        wall.path = said.path;
+        wall.friction = said.friction;
+        if (said.velocity_x) wall.velocity_x = *said.velocity_x;
+        if (said.velocity_y) wall.velocity_y = *said.velocity_y;
+        state.walls.push_back(std::move(wall));
+    }
+}
+
+void lay_out_materials(const model::Scene& scene, State& state) {
+    for (const model::Material& material : scene.materials) state.materials.push_back(facts_of(material, scene));
+    state.contacts.materials = state.materials.size();
+    for (const MaterialFacts& a : state.materials) {
+        for (const MaterialFacts& b : state.materials) state.contacts.rules.push_back(pair_rule(a, b));
+    }
+}
+
+std::string describe(const State& state, std::size_t body, const AnyBondSet* bonds) {
+    const Body& facts = state.bodies[body];
+    std::string text = fmt::format("{}: {} elements", facts.name, facts.size());
+    if (facts.rigid) return text + ", rigid";
+    if (bonds == nullptr) return text + ", loose";
+    return std::visit(
+        [&](const auto& set) {
+            using Law = typename std::decay_t<decltype(set)>::law;
+            return fmt::format("{}, {} bonds ({}), coordination {:.2f}", text, set.size(), Law::name,
+                               2.0 * static_cast<double>(set.size()) / static_cast<double>(facts.size()));
+        },
+        *bonds);
+}
+
+} // namespace
+
+PairRule pair_rule(const MaterialFacts& a, const MaterialFacts& b) {
+    PairRule rule;
+    rule.params.Kn = law::in_series(a.stiffness.normal, b.stiffness.normal);
+    rule.params.Kt = law::in_series(a.stiffness.shear, b.stiffness.shear);
+    rule.params.mu = std::min(a.friction, b.friction);
+    rule.damping_fraction = 0.5 * (a.damping_fraction + b.damping_fraction);
+    return rule;
+}
+
+Assembly assemble(const model::Scene& scene) {
+    Assembly assembly;
+    State& state = assembly.state;
+    state.thickness = scene.thickness;
+    state.gravity = scene.gravity;
+    lay_out_materials(scene, state);
+
+    std::vector<Problem> problems;
+    Index clusters = 0;
+    for (std::size_t row = 0; row < scene.bodies.size(); ++row) {
+        const model::Body& said = scene.bodies[row];
+        const packing::Packing pack = packed(said);
+        if (pack.centre.empty()) {
+            problems.push_back({said.place, "body.region", '"' + said.name + '"', "is too small for one element",
+                                "make the region larger or the elements smaller"});
+        }
+        place_body(scene, row, pack, clusters, state);
+        if (!pack.cluster.empty()) clusters += *std::max_element(pack.cluster.begin(), pack.cluster.end()) + 1;
+    }
+    if (!problems.empty()) throw SceneError(std::move(problems));
+    if (state.elements.size() == 0) {
+        throw SceneError(Problem{scene.place, "simulation", "", "has no body to move", ""});
+    }
+    problems = overlapping_bodies(scene, state);
+    if (!problems.empty()) throw SceneError(std::move(problems));
+
+    for (std::size_t row = 0; row < scene.bodies.size(); ++row) {
+        const model::Body& said = scene.bodies[row];
+        set_moving(said, row, state);
+        std::optional<AnyBondSet> bonds;
+        if (!said.rigid) bonds = bond_body(state, row, said.bonds, scene.materials[said.material], scene.plane);
+        assembly.notes.push_back(describe(state, row, bonds ? &*bonds : nullptr));
+        if (bonds) state.bond_sets.push_back(std::move(*bonds));
+    }
+    lay_out_walls(scene, state);
+    return assembly;
+}
+
+} // namespace demlua::state

@@ -1,0 +1,25 @@
+// From a checked scene to a state ready to step.
+#pragma once
+
+#include "engine/model/scene.hpp"
+#include "engine/state/state.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace demlua::state {
+
+struct Assembly {
+    State state;
+    std::vector<std::string> notes; ///< what a reader should know of the pack, one sentence each
+};
+
+/// Packs every body, shares out mass, bonds, and lays out walls and materials. Notches, supports and loads are not taken
+/// in here. Throws SceneError naming every body whose region holds no element and every pair of bodies that overlap.
+Assembly assemble(const model::Scene& scene);
+
+/// Contact law of materials a and b: springs in series, the smaller friction, the mean fraction of critical damping.
+PairRule pair_rule(const MaterialFacts& a, const MaterialFacts& b);
+
+} // namespace demlua::state

@@ -1,0 +1,71 @@
+// Bonds of one body under one law, in columns.
+#pragma once
+
+#include "engine/base/column.hpp"
+#include "engine/law/laws.hpp"
+#include "engine/state/history.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+#include <variant>
+
+namespace demlua::state {
+
+/// Which pair forces act on each of a run of elements: for element `first + k` the entries `start[k]` to `start[k+1]`
+/// of `end`, each naming a row of pairs twice over, plus one if the element is the pair's j. Sums are taken in this order
+/// and no other, so they come out the same whoever takes them.
+struct Incidence {
+    std::size_t first = 0;
+    Column<Index> start;
+    Column<Index> end;
+};
+
+/// Dashpots beside the springs; empty columns when the bonds have none.
+struct BondDashpots {
+    Column<double> Cn, Ct;         ///< N s/m
+    Column<double> normal, shear;  ///< dashpot forces at the last instant, N
+    Column<double> spent;          ///< J
+
+    [[nodiscard]] bool present() const { return !Cn.empty(); }
+};
+
+template <class Law>
+struct BondSet {
+    using History = typename Law::template History<double>;
+    using law = Law;
+
+    typename Law::Params params;
+    std::size_t body = 0;
+
+    Column<Index> i, j;            ///< rows of elements, i < j
+    Column<double> Dx, Dy;         ///< from i to j at bonding, m
+    Column<double> length;         ///< of D, m
+    Column<double> share_i;        ///< R_i/(R_i + R_j)
+    Column<double> radius;         ///< mean of the two, m
+    HistoryColumns<History> history;
+    BondDashpots dashpots;
+
+    Column<double> fx, fy;             ///< on i; on j the opposite, N
+    Column<double> moment_i, moment_j; ///< N m
+
+    // only for laws that break
+    Column<std::uint8_t> broken;
+    Column<double> contact_length; ///< reference length of the contact a broken bond leaves, m
+    Column<double> break_time;     ///< s; infinite for a bond cut before the start
+    double fracture_work = 0.0;    ///< stored in bonds when they broke, J
+    std::size_t broken_count = 0;
+
+    Incidence incidence;
+
+    [[nodiscard]] std::size_t size() const { return i.size(); }
+    [[nodiscard]] bool is_broken(std::size_t bond) const {
+        if constexpr (Law::breaks) return broken[bond] != 0;
+        return false;
+    }
+};
+
+using AnyBondSet = law::ForEachBondLaw<BondSet, std::variant>;
+
+} // namespace demlua::state

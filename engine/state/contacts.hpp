@@ -1,0 +1,76 @@
+// Pairs of elements that are not bonded and near enough to touch before the next search, and elements near walls.
+#pragma once
+
+#include "engine/base/column.hpp"
+#include "engine/base/signal.hpp"
+#include "engine/base/vec2.hpp"
+#include "engine/law/coulomb.hpp"
+#include "engine/state/bonds.hpp"
+#include "engine/state/history.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace demlua::state {
+
+using ContactHistory = law::Coulomb::History<double>;
+
+/// Law of contact between two materials: the spring and friction, and the dashpots as a fraction of critical.
+struct PairRule {
+    law::Coulomb::Params params;
+    double damping_fraction = 0.0;
+};
+
+/// Energy spent in contacts that are no longer listed, J.
+struct SpentInContacts {
+    double friction = 0.0;
+    double damping = 0.0;
+};
+
+/// Rows in rising order of (i, j).
+struct Contacts {
+    Column<Index> i, j;          ///< rows of elements, i < j
+    Column<Index> rule;          ///< row of `rules`
+    Column<double> reference;    ///< distance at which they touch, m
+    Column<double> Cn, Ct;       ///< N s/m
+    Column<double> overlap;      ///< positive while touching, m
+    Column<double> fx, fy;       ///< on i; on j the opposite, N
+    Column<double> moment_i, moment_j;
+    HistoryColumns<ContactHistory> history;
+    Incidence incidence;
+
+    std::vector<PairRule> rules; ///< of materials a and b at a * materials + b
+    std::size_t materials = 0;
+    SpentInContacts spent;
+
+    [[nodiscard]] std::size_t size() const { return i.size(); }
+};
+
+/// A rigid line. `offset` is how far it has moved.
+struct Wall {
+    std::string name;
+    std::vector<Vec2> path; ///< at the start, m
+    double friction = 0.0;
+    Signal velocity_x = Signal::constant(0.0); ///< m/s
+    Signal velocity_y = Signal::constant(0.0);
+    Vec2 offset;       ///< m
+    Vec2 velocity;     ///< of the half step before the present instant, m/s
+    Vec2 force;        ///< of the elements on the wall, N
+};
+
+/// A part of a wall an element can touch: segment k (even: 2k) between points k and k+1, or point k (odd: 2k+1).
+/// Rows in rising order of (wall, element, part).
+struct WallContacts {
+    Column<Index> wall, element, part;
+    Column<double> Cn, Ct;
+    Column<double> overlap;
+    HistoryColumns<ContactHistory> history;
+    SpentInContacts spent;
+
+    [[nodiscard]] std::size_t size() const { return wall.size(); }
+};
+
+} // namespace demlua::state

@@ -1,0 +1,120 @@
+#include "engine/state/loading.hpp"
+
+#include "engine/state/selection.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace demlua::state {
+
+namespace {
+
+Column<Index> selected_or_refused(const model::Selection& selection, const State& state, const Place& place,
+                                  const char* what) {
+    Column<Index> rows = selected(selection, state);
+    if (rows.empty()) {
+        throw SceneError(Problem{place, what, "", "its selection holds no element", "look at the region and the body"});
+    }
+    return rows;
+}
+
+/// Elements of rigid bodies are driven through their body.
+Drive drive_of(const Column<Index>& rows, const State& state, Freedom freedom, const Signal& value,
+               bool is_displacement) {
+    Drive drive;
+    drive.freedom = freedom;
+    drive.value = value;
+    drive.is_displacement = is_displacement;
+    for (const Index k : rows) {
+        const std::optional<std::size_t> rigid = state.bodies[state.elements.body[k]].rigid;
+        if (!rigid) {
+            drive.element.push_back(k);
+        } else if (std::find(drive.rigid.begin(), drive.rigid.end(), *rigid) == drive.rigid.end()) {
+            drive.rigid.push_back(*rigid);
+        }
+    }
+    drive.reaction.resize(drive.element.size());
+    drive.rigid_reaction.resize(drive.rigid.size());
+    return drive;
+}
+
+bool runs_along_x(model::Side side) { return side == model::Side::top || side == model::Side::bottom; }
+
+/// Where the loaded side ends: at the region's edge, but within the end element's disk.
+double end_of_side(double edge, double centre, double radius) {
+    return std::clamp(edge, centre - radius, centre + radius);
+}
+
+} // namespace
+
+std::vector<Drive> drives_of(const model::Support& support, const State& state) {
+    const Column<Index> rows = selected_or_refused(support.selection, state, support.place, "fix");
+    const Signal still = Signal::constant(0.0);
+    std::vector<Drive> drives;
+    if (support.x) drives.push_back(drive_of(rows, state, Freedom::x, still, false));
+    if (support.y) drives.push_back(drive_of(rows, state, Freedom::y, still, false));
+    if (support.rotation) drives.push_back(drive_of(rows, state, Freedom::rotation, still, false));
+    return drives;
+}
+
+std::vector<Drive> drives_of(const model::Motion& motion, const State& state) {
+    const Column<Index> rows = selected_or_refused(motion.selection, state, motion.place, "move");
+    std::vector<Drive> drives;
+    const auto drive = [&](Freedom freedom, const std::optional<Signal>& value, bool is_displacement) {
+        if (value) drives.push_back(drive_of(rows, state, freedom, *value, is_displacement));
+    };
+    drive(Freedom::x, motion.velocity_x, false);
+    drive(Freedom::y, motion.velocity_y, false);
+    drive(Freedom::x, motion.displacement_x, true);
+    drive(Freedom::y, motion.displacement_y, true);
+    drive(Freedom::rotation, motion.spin, false);
+    return drives;
+}
+
+Load load_of(const model::Force& force, const State& state) {
+    Load load;
+    load.element = selected_or_refused(force.selection, state, force.place, "force");
+    load.share.assign(load.element.size(), 1.0 / static_cast<double>(load.element.size()));
+    load.x = force.x;
+    load.y = force.y;
+    return load;
+}
+
+Load load_of(const model::Traction& traction, const model::Body& body, const State& state) {
+    const Elements& elements = state.elements;
+    const bool along_x = runs_along_x(traction.selection.side.value());
+    const auto place_along = [&](Index k) { return along_x ? elements.position(k).x : elements.position(k).y; };
+    Load load;
+    load.element = selected_or_refused(traction.selection, state, traction.place, "traction");
+    std::stable_sort(load.element.begin(), load.element.end(),
+                     [&](Index a, Index b) { return place_along(a) < place_along(b); });
+
+    const Box box = body.region.bounds();
+    const double first_edge = along_x ? box.lower.x : box.lower.y;
+    const double last_edge = along_x ? box.upper.x : box.upper.y;
+    const Index first = load.element.front();
+    const Index last = load.element.back();
+    double begin = box.empty() ? place_along(first) - elements.radius[first]
+                               : end_of_side(first_edge, place_along(first), elements.radius[first]);
+    const double end = box.empty() ? place_along(last) + elements.radius[last]
+                                   : end_of_side(last_edge, place_along(last), elements.radius[last]);
+    for (std::size_t n = 0; n < load.element.size(); ++n) {
+        const bool is_last = n + 1 == load.element.size();
+        const double next =
+            is_last ? end : 0.5 * (place_along(load.element[n]) + place_along(load.element[n + 1]));
+        load.share.push_back((next - begin) * state.thickness);
+        begin = next;
+    }
+    load.x = traction.stress_x;
+    load.y = traction.stress_y;
+    return load;
+}
+
+std::vector<Drive> drives_of(const model::Traction& traction, const State& state) {
+    if (!traction.hold_rotation) return {};
+    const Column<Index> rows = selected_or_refused(traction.selection, state, traction.place, "traction");
+    return {drive_of(rows, state, Freedom::rotation, Signal::constant(0.0), false)};
+}
+
+} // namespace demlua::state

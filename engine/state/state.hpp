@@ -1,0 +1,100 @@
+// Everything that changes while a scene runs, and the few numbers beside it that never do.
+#pragma once
+
+#include "engine/state/bonds.hpp"
+#include "engine/state/contacts.hpp"
+#include "engine/state/elements.hpp"
+
+#include "engine/base/signal.hpp"
+#include "engine/law/stiffness.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace demlua::state {
+
+/// What a material means for the elements made of it.
+struct MaterialFacts {
+    law::ContactStiffness stiffness; ///< N/m
+    double friction = 0.0;
+    double damping_fraction = 0.0; ///< of critical, of contact dashpots
+};
+
+struct Body {
+    std::string name;
+    std::size_t material = 0;
+    std::size_t first = 0; ///< rows of its elements
+    std::size_t last = 0;  ///< one past them
+    std::optional<std::size_t> rigid; ///< row of State::rigid_bodies
+
+    [[nodiscard]] std::size_t size() const { return last - first; }
+};
+
+/// Elements that move as one. Their own rows follow from it.
+struct RigidBody {
+    std::size_t body = 0;
+    double mass = 0.0;    ///< kg
+    double inertia = 0.0; ///< about the centre of mass, kg m^2
+    Vec2 centre;          ///< at the start, m
+    Vec2 displacement;    ///< m
+    double rotation = 0.0;
+    Vec2 velocity; ///< of the half step before the present instant, m/s
+    double spin = 0.0;
+    Vec2 force; ///< N
+    double moment = 0.0;
+};
+
+/// Forces on elements that do not come from other elements. Sums over the elements are `x` and `y`; an element's part
+/// is its `share`.
+struct Load {
+    Column<Index> element;
+    Column<double> share; ///< 1/n of a force, or the length of side (times thickness) of a traction, m^2
+    Signal x, y;          ///< N, or Pa
+};
+
+/// A degree of freedom of some elements, or of a rigid body, whose velocity is given.
+enum class Freedom { x, y, rotation };
+struct Drive {
+    Column<Index> element;              ///< free elements driven
+    Column<double> reaction;            ///< force it took at the present instant, N or N m
+    std::vector<std::size_t> rigid;     ///< rigid bodies driven
+    std::vector<double> rigid_reaction;
+    Freedom freedom = Freedom::x;
+    Signal value;                       ///< m/s or rad/s; or m (rad) when it gives displacement
+    bool is_displacement = false; ///< counted from its value when the motion begins
+};
+
+/// Work booked at the two halves of each kick, J.
+struct Booked {
+    double loads = 0.0;
+    double drives = 0.0;
+    double walls = 0.0;
+    double mass_damping = 0.0;
+};
+
+struct State {
+    double time = 0.0; ///< s
+    std::uint64_t step = 0;
+    double dt = 0.0; ///< s
+
+    Elements elements;
+    std::vector<Body> bodies;
+    std::vector<MaterialFacts> materials;
+    std::vector<AnyBondSet> bond_sets;
+    Contacts contacts;
+    std::vector<Wall> walls;
+    WallContacts wall_contacts;
+    std::vector<RigidBody> rigid_bodies;
+    std::vector<Load> loads; ///< forces first, then tractions, in the scene's order
+    std::vector<Drive> drives;
+
+    double thickness = 1.0;  ///< m
+    Vec2 gravity;            ///< m/s^2
+    double alpha = 0.0;      ///< mass-proportional damping, 1/s
+    Booked booked;
+};
+
+} // namespace demlua::state

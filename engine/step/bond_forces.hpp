@@ -1,0 +1,79 @@
+// Forces in bonds, written once over the law.
+#pragma once
+
+#include "engine/base/team.hpp"
+#include "engine/state/bonds.hpp"
+#include "engine/state/elements.hpp"
+
+#include <vector>
+
+namespace demlua::step {
+
+/// Kinematics of one bond in the present configuration.
+template <class Law>
+law::BondMotion<double> motion_of(const state::BondSet<Law>& bonds, const state::Elements& elements, std::size_t k) {
+    const std::size_t i = bonds.i[k];
+    const std::size_t j = bonds.j[k];
+    const double s = bonds.share_i[k];
+    const double turn = s * elements.rotation[i] + (1.0 - s) * elements.rotation[j];
+    return law::bond_motion(Vec2{bonds.Dx[k], bonds.Dy[k]}, bonds.length[k],
+                            elements.displacement(j) - elements.displacement(i), turn);
+}
+
+/// Speeds at which a bond stretches and shears, m/s, from the velocities of the last half step.
+template <class Law>
+law::BondForce<double> rates_of(const state::BondSet<Law>& bonds, const state::Elements& elements, std::size_t k,
+                                const law::BondMotion<double>& motion) {
+    const std::size_t i = bonds.i[k];
+    const std::size_t j = bonds.j[k];
+    const double s = bonds.share_i[k];
+    const Vec2 v = elements.velocity(j) - elements.velocity(i);
+    const double l = bonds.length[k];
+    const double turning = dot(v, turned_left(motion.normal)) / motion.length;
+    return {dot(v, motion.normal), l * (turning - s * elements.spin[i] - (1.0 - s) * elements.spin[j])};
+}
+
+/// Adds the dashpots' forces to `force` and books what they spend: the mean of the forces at the two ends of the step
+/// times the displacement, as central difference exchanges it.
+template <class Law>
+void add_dashpots(state::BondSet<Law>& bonds, std::size_t k, law::BondForce<double> rate, double dt,
+                  law::BondForce<double>& force) {
+    state::BondDashpots& dashpots = bonds.dashpots;
+    const double normal = dashpots.Cn[k] * rate.normal;
+    const double shear = dashpots.Ct[k] * rate.shear;
+    dashpots.spent[k] += 0.5 * dt * ((dashpots.normal[k] + normal) * rate.normal +
+                                     (dashpots.shear[k] + shear) * rate.shear);
+    dashpots.normal[k] = normal;
+    dashpots.shear[k] = shear;
+    force.normal += normal;
+    force.shear += shear;
+}
+
+/// Fills fx .. moment_j of the bonds of one share. Bonds that break are appended to `breaking` and left for
+/// settle_broken.
+template <class Law>
+void bond_forces(state::BondSet<Law>& bonds, const state::Elements& elements, double dt, Share part,
+                 std::vector<Index>& breaking) {
+    const bool damped = bonds.dashpots.present();
+    for (std::size_t k = part.begin; k < part.end; ++k) {
+        if (bonds.is_broken(k)) continue;
+        const law::BondMotion<double> motion = motion_of(bonds, elements, k);
+        auto history = bonds.history.at(k);
+        law::BondForce<double> force = Law::respond(bonds.params, bonds.radius[k], motion, history);
+        bonds.history.store(k, history);
+        if (damped) add_dashpots(bonds, k, rates_of(bonds, elements, k, motion), dt, force);
+        if constexpr (Law::breaks) {
+            if (Law::broken(bonds.params, bonds.radius[k], motion, history)) {
+                breaking.push_back(static_cast<Index>(k));
+            }
+        }
+        const double couple = force.shear * bonds.length[k];
+        const Vec2 f = force.normal * motion.normal + (couple / motion.length) * turned_left(motion.normal);
+        bonds.fx[k] = f.x;
+        bonds.fy[k] = f.y;
+        bonds.moment_i[k] = couple * bonds.share_i[k];
+        bonds.moment_j[k] = couple * (1.0 - bonds.share_i[k]);
+    }
+}
+
+} // namespace demlua::step

@@ -1,0 +1,51 @@
+// Central difference: velocities at half steps, positions and forces at whole steps.
+//
+//   v+ = ((1 - a) v- + dt f/m) / (1 + a),  a = alpha dt/2       kick, mass-proportional damping taken implicitly
+//   x  = x + dt v+                                              drift
+#pragma once
+
+#include "engine/base/team.hpp"
+#include "engine/state/state.hpp"
+
+namespace demlua::step {
+
+/// Velocity half a step after the present instant of something with velocity `v` half a step before it.
+inline double kicked(double v, double force, double inverse_mass, double alpha, double dt) {
+    const double a = 0.5 * alpha * dt;
+    return ((1.0 - a) * v + dt * force * inverse_mass) / (1.0 + a);
+}
+
+/// Force that takes velocity `v` to `target` in a kick.
+inline double force_for(double v, double target, double mass, double alpha, double dt) {
+    const double a = 0.5 * alpha * dt;
+    return mass * ((1.0 + a) * target - (1.0 - a) * v) / dt;
+}
+
+/// What the drift found: the greatest distance moved (m), and the first element that moved more than `greatest_move`
+/// times its radius or to no number at all.
+struct Drift {
+    double farthest = 0.0;
+    std::size_t runaway = no_element;
+    static constexpr std::size_t no_element = static_cast<std::size_t>(-1);
+
+    /// Both together.
+    void join(const Drift& other);
+};
+
+/// Sets the forces on elements to gravity and zero.
+void clear_forces(state::State& state, Team& team);
+
+/// Kicks every element that is not part of a rigid body, and books what mass damping spends.
+void kick(state::State& state, Team& team);
+
+/// Moves every element that is not part of a rigid body.
+Drift drift(state::State& state, double greatest_move, Team& team);
+
+/// Sums the forces on the elements of each rigid body.
+void gather_rigid(state::State& state);
+
+/// Kicks rigid bodies, moves them, and lets their elements follow: velocities are those of the chord, so that contacts
+/// see the displacement there is.
+Drift move_rigid(state::State& state, double greatest_move);
+
+} // namespace demlua::step

@@ -1,0 +1,185 @@
+#include "engine/step/search.hpp"
+
+#include "engine/state/incidence.hpp"
+#include "engine/step/wall_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+#include <variant>
+
+namespace demlua::step {
+
+namespace {
+
+// Wide enough that debris at impact speed is searched every few dozen steps, narrow enough to keep the list short.
+constexpr double skin_in_radii = 0.8;
+
+/// What the bonds of a body say about a pair of its elements.
+struct BondedPair {
+    bool intact = false;
+    double reference = 0.0; ///< of the contact a broken bond left; 0 when there never was a bond, m
+};
+
+BondedPair look_up(const state::State& state, const Search& search, std::size_t i, std::size_t j) {
+    const std::size_t set = search.bond_set_of_body[state.elements.body[i]];
+    if (set == state.bond_sets.size()) return {};
+    return std::visit(
+        [&](const auto& bonds) -> BondedPair {
+            const state::Incidence& incidence = bonds.incidence;
+            const std::size_t e = i - incidence.first;
+            for (Index entry = incidence.start[e]; entry < incidence.start[e + 1]; ++entry) {
+                const std::size_t bond = incidence.end[entry] / 2;
+                if (bonds.i[bond] + bonds.j[bond] != i + j) continue;
+                if (!bonds.is_broken(bond)) return {true, 0.0};
+                return {false, bonds.contact_length[bond]};
+            }
+            return {};
+        },
+        state.bond_sets[set]);
+}
+
+/// A row of the list while it is being made.
+struct Candidate {
+    Index i;
+    Index j;
+    double reference;
+
+    [[nodiscard]] auto key() const { return std::tie(i, j); }
+};
+
+std::vector<Candidate> candidates(const state::State& state, Search& search) {
+    const state::Elements& elements = state.elements;
+    std::vector<Vec2> points(elements.size());
+    double largest = 0.0;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        points[k] = elements.position(k);
+        largest = std::max(largest, elements.radius[k]);
+    }
+    const double reach = 2.0 * largest + search.excess + search.skin;
+    std::vector<Candidate> found;
+    search.grid.build(points, reach);
+    search.grid.for_each_pair(reach, [&](Index a, Index b) {
+        const Index i = std::min(a, b);
+        const Index j = std::max(a, b);
+        double reference = elements.radius[i] + elements.radius[j];
+        if (elements.body[i] == elements.body[j]) {
+            if (state.bodies[elements.body[i]].rigid) return;
+            const BondedPair bonded = look_up(state, search, i, j);
+            if (bonded.intact) return;
+            if (bonded.reference > 0.0) reference = bonded.reference;
+        }
+        if (norm(points[j] - points[i]) < reference + search.skin) found.push_back({i, j, reference});
+    });
+    std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.key() < b.key(); });
+    return found;
+}
+
+void append_row(state::State& state, const Candidate& pair, const state::ContactHistory& history) {
+    state::Contacts& contacts = state.contacts;
+    const state::Elements& elements = state.elements;
+    const std::size_t a = state.bodies[elements.body[pair.i]].material;
+    const std::size_t b = state.bodies[elements.body[pair.j]].material;
+    const std::size_t row = a * contacts.materials + b;
+    const state::PairRule& rule = contacts.rules[row];
+    const double m = 1.0 / (elements.inverse_mass[pair.i] + elements.inverse_mass[pair.j]);
+    contacts.i.push_back(pair.i);
+    contacts.j.push_back(pair.j);
+    contacts.rule.push_back(static_cast<Index>(row));
+    contacts.reference.push_back(pair.reference);
+    contacts.Cn.push_back(2.0 * rule.damping_fraction * std::sqrt(rule.params.Kn * m));
+    contacts.Ct.push_back(2.0 * rule.damping_fraction * std::sqrt(rule.params.Kt * m));
+    contacts.history.resize(contacts.size());
+    contacts.history.store(contacts.size() - 1, history);
+}
+
+void resize_forces(state::Contacts& contacts) {
+    for (Column<double>* column :
+         {&contacts.overlap, &contacts.fx, &contacts.fy, &contacts.moment_i, &contacts.moment_j}) {
+        column->resize(contacts.size());
+    }
+}
+
+void finish(state::State& state) {
+    resize_forces(state.contacts);
+    state.contacts.incidence = state::incidence_of(state.contacts.i, state.contacts.j, 0, state.elements.size());
+}
+
+state::Contacts emptied(const state::Contacts& old) {
+    state::Contacts contacts;
+    contacts.rules = old.rules;
+    contacts.materials = old.materials;
+    contacts.spent = old.spent;
+    return contacts;
+}
+
+void book(state::SpentInContacts& spent, const state::ContactHistory& history) {
+    spent.friction += history.friction;
+    spent.damping += history.damped;
+}
+
+/// Rows of the old list in rising order of (i, j): bonds that broke since the last search stand unsorted at its end.
+std::vector<std::size_t> sorted_rows(const state::Contacts& old) {
+    std::vector<std::size_t> rows(old.size());
+    for (std::size_t k = 0; k < rows.size(); ++k) rows[k] = k;
+    std::sort(rows.begin(), rows.end(), [&](std::size_t a, std::size_t b) {
+        return std::tie(old.i[a], old.j[a]) < std::tie(old.i[b], old.j[b]);
+    });
+    return rows;
+}
+
+void refresh_pairs(state::State& state, Search& search) {
+    const std::vector<Candidate> found = candidates(state, search);
+    const state::Contacts old = std::exchange(state.contacts, emptied(state.contacts));
+    const std::vector<std::size_t> rows = sorted_rows(old);
+    auto next = rows.begin();
+    const auto book_until = [&](const Candidate& pair) {
+        for (; next != rows.end() && std::tie(old.i[*next], old.j[*next]) < pair.key(); ++next) {
+            book(state.contacts.spent, old.history.at(*next));
+        }
+    };
+    for (const Candidate& pair : found) {
+        book_until(pair);
+        state::ContactHistory history;
+        if (next != rows.end() && std::tie(old.i[*next], old.j[*next]) == pair.key()) {
+            history = old.history.at(*next);
+            ++next;
+        }
+        append_row(state, pair, history);
+    }
+    for (; next != rows.end(); ++next) book(state.contacts.spent, old.history.at(*next));
+    finish(state);
+}
+
+} // namespace
+
+Search start_search(const state::State& state) {
+    Search search;
+    const Column<double>& radius = state.elements.radius;
+    search.skin = skin_in_radii * *std::max_element(radius.begin(), radius.end());
+    search.bond_set_of_body.assign(state.bodies.size(), state.bond_sets.size());
+    for (std::size_t set = 0; set < state.bond_sets.size(); ++set) {
+        std::visit([&](const auto& bonds) { search.bond_set_of_body[bonds.body] = set; }, state.bond_sets[set]);
+    }
+    return search;
+}
+
+void refresh_contacts(state::State& state, Search& search) {
+    refresh_pairs(state, search);
+    refresh_wall_contacts(state, search.skin);
+    search.travelled = 0.0;
+    ++search.searches;
+}
+
+void append_contacts(state::State& state, Search& search, const std::vector<NewContact>& contacts) {
+    if (contacts.empty()) return;
+    for (const NewContact& contact : contacts) {
+        const double touch = state.elements.radius[contact.i] + state.elements.radius[contact.j];
+        search.excess = std::max(search.excess, contact.reference - touch);
+        append_row(state, {contact.i, contact.j, contact.reference}, contact.history);
+    }
+    finish(state);
+}
+
+} // namespace demlua::step

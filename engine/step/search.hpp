@@ -1,0 +1,36 @@
+// Which pairs may touch: searched only when something has moved far enough for the last answer to be in doubt.
+#pragma once
+
+#include "engine/base/cell_grid.hpp"
+#include "engine/state/state.hpp"
+#include "engine/step/breaking.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace demlua::step {
+
+/// Every pair that could come nearer than its reference length is on the list as long as no two surfaces have closed by
+/// more than `skin` since the list was made.
+struct Search {
+    double skin = 0.0;      ///< m
+    double travelled = 0.0; ///< upper bound of what any element or wall has moved since the list was made, m
+    double excess = 0.0;    ///< most by which a broken bond's reference length exceeds its radii, m
+    std::uint64_t searches = 0;
+    std::vector<std::size_t> bond_set_of_body; ///< row of State::bond_sets, or its size for none
+    CellGrid grid;
+};
+
+/// Skin and tables for a freshly assembled state; the list itself is made by refresh_contacts.
+Search start_search(const state::State& state);
+
+[[nodiscard]] inline bool in_doubt(const Search& search) { return 2.0 * search.travelled > search.skin; }
+
+/// Makes the lists of contacts and wall contacts anew. Histories of pairs that stay are kept; what the others had spent
+/// is booked.
+void refresh_contacts(state::State& state, Search& search);
+
+/// Puts the contacts of bonds that have just broken on the list.
+void append_contacts(state::State& state, Search& search, const std::vector<NewContact>& contacts);
+
+} // namespace demlua::step

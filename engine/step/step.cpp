@@ -1,0 +1,171 @@
+#include "engine/step/step.hpp"
+
+#include "engine/step/bond_forces.hpp"
+#include "engine/step/breaking.hpp"
+#include "engine/step/contact_forces.hpp"
+#include "engine/step/loads.hpp"
+#include "engine/step/motion.hpp"
+#include "engine/step/pair_sums.hpp"
+#include "engine/step/wall_parts.hpp"
+
+#include <chrono>
+#include <fmt/format.h>
+#include <iterator>
+#include <type_traits>
+
+namespace demlua::step {
+
+template <class Work>
+void Clock::time(std::uint64_t step, Stage stage, const Work& work) {
+    if (step % sampled_every != 0) {
+        work();
+        return;
+    }
+    const auto begin = std::chrono::steady_clock::now();
+    work();
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+    seconds[static_cast<std::size_t>(stage)] += taken.count() * static_cast<double>(sampled_every);
+}
+
+namespace {
+
+template <class Law>
+void compute_bonds(state::State& state, Stepper& stepper, state::BondSet<Law>& bonds) {
+    for (std::vector<Index>& part : stepper.breaking) part.clear();
+    stepper.team.share(bonds.size(), [&](Share part) {
+        bond_forces(bonds, state.elements, state.dt, part, stepper.breaking[part.part]);
+    });
+    std::vector<NewContact> contacts;
+    for (const std::vector<Index>& part : stepper.breaking) settle_broken(state, bonds, part, contacts);
+    append_contacts(state, stepper.search, contacts);
+    add_pair_forces(bonds, state.elements, stepper.team);
+}
+
+void compute_contacts(state::State& state, Stepper& stepper) {
+    stepper.team.share(state.contacts.size(),
+                       [&](Share part) { contact_forces(state.contacts, state.elements, state.dt, part); });
+    add_pair_forces(state.contacts, state.elements, stepper.team);
+}
+
+void check_drift(const state::State& state, const Drift& drift, double greatest_move) {
+    if (drift.runaway == Drift::no_element) return;
+    const std::size_t k = drift.runaway;
+    const state::Elements& elements = state.elements;
+    throw RunError(fmt::format("element {} of body \"{}\" at ({:.6g}, {:.6g}) m moved at ({:.6g}, {:.6g}) m/s in step "
+                               "{} (t = {:.6g} s): more than {:.3g} of its radius {:.4g} m in one step of {:.4g} s",
+                               k, state.bodies[elements.body[k]].name, elements.position(k).x, elements.position(k).y,
+                               elements.vx[k], elements.vy[k], state.step, state.time, greatest_move,
+                               elements.radius[k], state.dt));
+}
+
+double wall_travel(const state::State& state) {
+    double farthest = 0.0;
+    for (const state::Wall& wall : state.walls) farthest = std::max(farthest, state.dt * norm(wall.velocity));
+    return farthest;
+}
+
+} // namespace
+
+Stepper::Stepper(Team& threads, const state::State& state, double greatest_share)
+    : team(threads), search(start_search(state)), greatest_move(greatest_share), breaking(threads.size()) {}
+
+void compute_forces(state::State& state, Stepper& stepper) {
+    Clock& clock = stepper.clock;
+    const std::uint64_t step = state.step;
+    if (in_doubt(stepper.search)) {
+        clock.time(step, Stage::search, [&] { refresh_contacts(state, stepper.search); });
+    }
+    clock.time(step, Stage::motion, [&] { clear_forces(state, stepper.team); });
+    for (state::AnyBondSet& any : state.bond_sets) {
+        clock.time(step, Stage::bonds,
+                   [&] { std::visit([&](auto& bonds) { compute_bonds(state, stepper, bonds); }, any); });
+    }
+    if (state.contacts.size() > 0) clock.time(step, Stage::contacts, [&] { compute_contacts(state, stepper); });
+    if (!state.walls.empty()) clock.time(step, Stage::walls, [&] { wall_forces(state); });
+    if (!state.loads.empty()) clock.time(step, Stage::loads, [&] { add_loads(state); });
+    if (!state.rigid_bodies.empty()) clock.time(step, Stage::rigid, [&] { gather_rigid(state); });
+}
+
+void advance(state::State& state, Stepper& stepper) {
+    Clock& clock = stepper.clock;
+    const std::uint64_t step = state.step;
+    const bool driven = !state.loads.empty() || !state.drives.empty();
+    Drift moved;
+    clock.time(step, Stage::motion, [&] {
+        kick(state, stepper.team);
+        moved = drift(state, stepper.greatest_move, stepper.team);
+    });
+    if (!state.rigid_bodies.empty()) moved.join(move_rigid(state, stepper.greatest_move));
+    if (!state.walls.empty()) move_walls(state);
+    check_drift(state, moved, stepper.greatest_move);
+    if (driven) book_work(state);
+    stepper.search.travelled += std::max(moved.farthest, wall_travel(state));
+    ++state.step;
+    state.time += state.dt;
+
+    compute_forces(state, stepper);
+    if (!state.drives.empty()) apply_drives(state);
+    if (driven) book_work(state);
+}
+
+void start(state::State& state, Stepper& stepper) {
+    refresh_contacts(state, stepper.search);
+    const double dt = std::exchange(state.dt, 0.0);
+    compute_forces(state, stepper);
+    change_step(state, dt);
+    if (!state.drives.empty()) apply_drives(state);
+}
+
+void change_step(state::State& state, double dt) {
+    const double old = std::exchange(state.dt, dt);
+    state::Elements& elements = state.elements;
+    const auto shifted = [&](double v, double force, double inverse_mass) {
+        const double now = 0.5 * (v + kicked(v, force, inverse_mass, state.alpha, old));
+        return (1.0 + 0.5 * state.alpha * dt) * now - 0.5 * dt * force * inverse_mass;
+    };
+    for (std::size_t k = 0; k < elements.size(); ++k) {
+        elements.vx[k] = shifted(elements.vx[k], elements.fx[k], elements.inverse_mass[k]);
+        elements.vy[k] = shifted(elements.vy[k], elements.fy[k], elements.inverse_mass[k]);
+        elements.spin[k] = shifted(elements.spin[k], elements.moment[k], elements.inverse_inertia[k]);
+    }
+    for (state::RigidBody& rigid : state.rigid_bodies) {
+        rigid.velocity = {shifted(rigid.velocity.x, rigid.force.x, 1.0 / rigid.mass),
+                          shifted(rigid.velocity.y, rigid.force.y, 1.0 / rigid.mass)};
+        rigid.spin = shifted(rigid.spin, rigid.moment, 1.0 / rigid.inertia);
+    }
+}
+
+std::string schedule_line(const state::State& state) {
+    std::vector<std::string> used;
+    std::vector<std::string> unused;
+    const auto stage = [&](bool present, const std::string& with, const std::string& without) {
+        present ? used.push_back(with) : unused.push_back(without);
+    };
+    bool dashpots = false;
+    for (const state::AnyBondSet& any : state.bond_sets) {
+        std::visit(
+            [&](const auto& bonds) {
+                using Law = typename std::decay_t<decltype(bonds)>::law;
+                const bool damped = bonds.dashpots.present();
+                dashpots = dashpots || damped;
+                used.push_back(fmt::format("bonds of {}[{}{}]", state.bodies[bonds.body].name, Law::name,
+                                           damped ? ", dashpots" : ""));
+            },
+            any);
+    }
+    if (state.bond_sets.empty()) unused.emplace_back("bonds");
+    if (!state.bond_sets.empty() && !dashpots) unused.emplace_back("bond dashpots");
+    used.push_back(fmt::format("contacts[coulomb, {} pairs in reach]", state.contacts.size()));
+    stage(!state.walls.empty(), fmt::format("walls[{}]", state.walls.size()), "walls");
+    stage(!state.loads.empty(), fmt::format("loads[{}]", state.loads.size()), "loads");
+    stage(!state.drives.empty(), fmt::format("supports and given motions[{}]", state.drives.size()),
+          "supports and given motions");
+    stage(!state.rigid_bodies.empty(), fmt::format("rigid bodies[{}]", state.rigid_bodies.size()), "rigid bodies");
+    stage(state.gravity != Vec2{}, "gravity", "gravity");
+    stage(state.alpha > 0.0, "mass damping", "mass damping");
+    used.emplace_back("motion");
+    return fmt::format("step: {}; unused: {}", fmt::join(used, " > "),
+                       unused.empty() ? std::string("nothing") : fmt::format("{}", fmt::join(unused, ", ")));
+}
+
+} // namespace demlua::step

@@ -1,0 +1,124 @@
+// What one reading of a scene file carries from the first line to the last.
+#pragma once
+
+#include "engine/model/scene.hpp"
+#include "scripting/host.hpp"
+#include "scripting/lua.hpp"
+#include "scripting/objects.hpp"
+#include "scripting/script.hpp"
+
+#include <cstddef>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace demlua::scripting {
+
+/// Whether a problem lies in how a scene is written, or may come of a value. Values cannot be judged after the first run
+/// of a reading that does not simulate, for they may hang on results that are not there.
+enum class Cause { wording, value };
+
+/// A signal said as a function of time; sampled when a run begins, for the time it takes.
+struct TimeFunction {
+    LoadHandle load;
+    std::string setting;
+    int component = 0; ///< of a pair of signals
+    Function function;
+    Place place;
+};
+
+/// A column the scene adds to the history: a function of now, or else a field.
+struct HistoryColumn {
+    std::string name;
+    Function function;
+    std::string measure;
+};
+struct History {
+    double every = 0.0;
+    std::vector<HistoryColumn> columns;
+    Place place;
+};
+struct Periodic {
+    double every = 0.0;
+    Function act;
+};
+
+/// Parameters as an including scene sets them: values under their names in a Lua table.
+struct Inclusion {
+    std::filesystem::path file;
+    Function values; ///< any Lua value can be kept; here a table, or nothing for the scene itself
+    std::vector<std::string> declared;
+};
+
+/// How many rows of each kind the simulation knows.
+using RowCounts = std::map<LoadKind, std::size_t>;
+
+struct Context {
+    Context(const Overrides& set, Host* program);
+    ~Context();
+    Context(const Context&) = delete;
+    Context& operator=(const Context&) = delete;
+    Context(Context&&) = delete;
+    Context& operator=(Context&&) = delete;
+
+    static Context& of(lua_State* L) { return *Interpreter::of(L).context; }
+
+    // --- what the scene said ---------------------------------------------------------------------------------------
+    model::Scene scene;
+    bool simulation_said = false;
+    std::vector<Parameter> parameters;
+    std::vector<TimeFunction> time_functions;
+    std::vector<std::function<bool(Vec2)>> place_functions; ///< not yet tried
+    std::vector<double> frames_every;
+    std::vector<History> histories;
+    std::vector<Periodic> periodics;
+    std::vector<Function> functions; ///< what model::Callback::key counts from one
+    std::vector<Problem> problems;
+    std::size_t complaints = 0; ///< problems seen, those not kept included
+    std::set<std::pair<std::string, int>> blamed; ///< places of problems found while reading
+
+    // --- where the reading stands ----------------------------------------------------------------------------------
+    Overrides overrides;
+    std::set<std::string> used_overrides;
+    std::vector<Inclusion> inclusions; ///< files being read, the innermost last
+    std::size_t open_inclusions = 0;   ///< dem.include "file" not yet followed by its table
+    std::exception_ptr fatal;          ///< ends the reading even if the user's code catches it
+
+    // --- the run -----------------------------------------------------------------------------------------------------
+    Host* host;                                ///< null: nothing is simulated
+    observe::Simulation* watched = nullptr;    ///< during a callback
+    std::vector<RunRequest> runs;              ///< so far, without functions
+    model::Scene scene_at_first_run;
+    double skipped_time = 0.0;                 ///< that runs would have taken when nothing is simulated, s
+    double run_end = 0.0;                      ///< s
+    RowCounts assembled;
+    std::vector<LoadHandle> changed;           ///< since the simulation last heard
+    bool interrupted = false;
+
+    // Last, so that the functions above are let go while their state still is there.
+    std::shared_ptr<Interpreter> interpreter;
+
+    [[nodiscard]] bool simulates() const { return host != nullptr; }
+    /// The simulation as it stands, or null when nothing has run or nothing is simulated.
+    [[nodiscard]] observe::Simulation* simulation() const;
+    /// Throws LuaFailure while there is nothing to read.
+    void require_run() const;
+    [[nodiscard]] double time() const;
+
+    void complain(Problem problem, Cause cause);
+    /// Runs the model's checker; what it finds where reading already found fault is not told again.
+    void check_model();
+    /// Throws SceneError with all problems, if there are any.
+    void throw_problems() const;
+
+    /// Runs the file at `path`, called `name` in messages. Throws SceneError.
+    void run_file(const std::filesystem::path& path, const std::string& name);
+};
+
+} // namespace demlua::scripting

@@ -1,0 +1,60 @@
+// What a running script asks of the program around it, so that reading a scene knows nothing of files or terminals.
+#pragma once
+
+#include "engine/model/scene.hpp"
+#include "engine/observe/simulation.hpp"
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace demlua::scripting {
+
+/// A declared scene parameter with the value it has in this run.
+struct Parameter {
+    std::string name;
+    std::variant<double, bool, std::string> value;
+    std::variant<double, bool, std::string> fallback; ///< the value written in the scene
+    std::string unit;
+    std::string help;
+};
+
+/// Extra columns of the history: read every `every` seconds beside the standing ones.
+struct HistoryRequest {
+    double every = 0.0; ///< s
+    std::vector<std::pair<std::string, std::function<double(observe::Simulation&)>>> columns;
+};
+
+/// One call of sim:run.
+struct RunRequest {
+    double duration = 0.0;              ///< s
+    std::vector<double> frames_every;   ///< s, one entry per sim:output in force
+    std::vector<HistoryRequest> histories;
+    std::vector<observe::Watcher> callbacks;
+    Place place;
+};
+
+/// A value a scene publishes with dem.result, as number or text.
+using Result = std::pair<std::string, std::variant<double, bool, std::string>>;
+
+class Host {
+public:
+    Host() = default;
+    virtual ~Host() = default;
+    Host(const Host&) = delete;
+    Host& operator=(const Host&) = delete;
+    Host(Host&&) = delete;
+    Host& operator=(Host&&) = delete;
+
+    /// Runs the scene as it stands; the first call assembles it. Throws SceneError or RunError.
+    virtual observe::RunReport run(const model::Scene& scene, const RunRequest& request) = 0;
+    /// The simulation once it has been assembled, else null.
+    virtual observe::Simulation* simulation() = 0;
+    virtual void result(const Result& result) = 0;
+    /// What the script prints.
+    virtual void print(const std::string& line) = 0;
+};
+
+} // namespace demlua::scripting

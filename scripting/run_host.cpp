@@ -1,0 +1,203 @@
+#include "scripting/run_host.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace demlua::scripting {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+/// Adds what a run took, however it ends.
+class EffortMeter {
+public:
+    EffortMeter(Effort& effort, const observe::Simulation& simulation)
+        : effort_(effort), simulation_(simulation), first_step_(simulation.step()) {}
+    ~EffortMeter() {
+        effort_.steps += simulation_.step() - first_step_;
+        effort_.wall_time += seconds_since(begin_);
+    }
+    EffortMeter(const EffortMeter&) = delete;
+    EffortMeter& operator=(const EffortMeter&) = delete;
+    EffortMeter(EffortMeter&&) = delete;
+    EffortMeter& operator=(EffortMeter&&) = delete;
+
+private:
+    Effort& effort_;
+    const observe::Simulation& simulation_;
+    std::uint64_t first_step_;
+    Clock::time_point begin_ = Clock::now();
+};
+
+/// Each interval once, in rising order; `otherwise` when there is none.
+std::vector<double> distinct(std::vector<double> intervals, double otherwise) {
+    if (intervals.empty()) intervals.push_back(otherwise);
+    std::sort(intervals.begin(), intervals.end());
+    intervals.erase(std::unique(intervals.begin(), intervals.end()), intervals.end());
+    return intervals;
+}
+
+std::vector<double> intervals_of(const std::vector<HistoryRequest>& histories) {
+    std::vector<double> intervals;
+    for (const auto& history : histories) intervals.push_back(history.every);
+    return intervals;
+}
+
+std::vector<output::SummaryParameter> for_summary(const std::vector<Parameter>& parameters) {
+    std::vector<output::SummaryParameter> rows;
+    for (const auto& p : parameters) rows.push_back({p.name, p.value, p.fallback, p.unit, p.help});
+    return rows;
+}
+
+} // namespace
+
+RunHost::RunHost(RunSettings settings, Terminal& terminal, const std::atomic<bool>& interrupted)
+    : settings_(std::move(settings)), terminal_(terminal), interrupted_(interrupted) {}
+
+RunHost::~RunHost() { terminal_.detach(); }
+
+observe::RunReport RunHost::run(const model::Scene& scene, const RunRequest& request) {
+    if (started() && interrupted_) return {observe::Ending::interrupted, {}, 0, 0.0};
+    begin_run(scene, request);
+    {
+        const EffortMeter meter(effort_, *simulation_);
+        Progress progress(terminal_, *simulation_, request.duration);
+        last_report_ = simulation_->run(request.duration, watchers(request, progress), &interrupted_);
+    }
+    // The end of a run is always shown, also one that came early.
+    take_row(request.histories);
+    take_frame();
+    return last_report_;
+}
+
+void RunHost::begin_run(const model::Scene& scene, const RunRequest& request) {
+    if (!simulation_) {
+        start(scene);
+    } else {
+        simulation_->take_in(scene);
+    }
+    inputs_ = output::inputs_json(scene, *simulation_);
+    terminal_.say(run_outlook(*simulation_, request.duration, settings_.threads));
+}
+
+void RunHost::start(const model::Scene& scene) {
+    const auto begin = Clock::now();
+    simulation_ = std::make_unique<observe::Simulation>(scene, settings_.threads);
+    assembly_time_ = seconds_since(begin);
+    settings_.folder.open(settings_.scene_text);
+    writer_ = std::make_unique<output::Writer>(settings_.folder);
+    terminal_.attach(*writer_);
+    for (const auto& line : scene_facts(scene, *simulation_, settings_.threads)) terminal_.say(line);
+    terminal_.say(fmt::format("writing to {}", settings_.folder.path().string()));
+}
+
+std::vector<observe::Watcher> RunHost::watchers(const RunRequest& request, Progress& progress) {
+    // Without sim:output a run still shows its start and its end; without sim:history there is a row for each frame.
+    const auto frames = distinct(request.frames_every, request.duration);
+    const auto rows =
+        request.histories.empty() ? frames : distinct(intervals_of(request.histories), request.duration);
+    std::vector<observe::Watcher> all;
+    for (const double every : rows) {
+        all.push_back({every, [this, &request](observe::Simulation&) { take_row(request.histories); }});
+    }
+    for (const double every : frames) {
+        all.push_back({every, [this](observe::Simulation&) { take_frame(); }});
+    }
+    if (terminal_.interactive()) all.push_back(progress.watcher());
+    // Last, so that an instant is written as it was before the scene changes it or fails.
+    all.insert(all.end(), request.callbacks.begin(), request.callbacks.end());
+    return all;
+}
+
+void RunHost::take_frame() {
+    if (last_frame_step_ == simulation_->step()) return;
+    writer_->frame(simulation_->snapshot());
+    last_frame_step_ = simulation_->step();
+}
+
+void RunHost::take_row(const std::vector<HistoryRequest>& extra) {
+    if (last_row_step_ == simulation_->step()) return;
+    auto row = simulation_->history_row();
+    for (const auto& history : extra) {
+        for (const auto& [name, read] : history.columns) row.emplace_back(name, read(*simulation_));
+    }
+    last_row_ = row;
+    writer_->history(std::move(row));
+    last_row_step_ = simulation_->step();
+}
+
+void RunHost::result(const Result& result) {
+    const auto same = std::find_if(results_.begin(), results_.end(),
+                                   [&](const Result& earlier) { return earlier.first == result.first; });
+    if (same != results_.end()) {
+        same->second = result.second;
+    } else {
+        results_.push_back(result);
+    }
+}
+
+output::SummaryEnding RunHost::finish(const std::string& failure) {
+    output::SummaryEnding how = ending(failure);
+    try {
+        writer_->drain();
+    } catch (const RunError& error) {
+        how = {"failed", error.what()};
+    }
+    const output::Summary done = summary(how);
+    tell_result(how);
+    try {
+        writer_->finish(output::summary_json(done, *simulation_));
+    } catch (const RunError& error) {
+        // One clear error: where a frame could not be written, the summary's failure says nothing new.
+        if (how.state != "failed") terminal_.complain(fmt::format("demlua: {}", error.what()));
+        how = {"failed", error.what()};
+    }
+    return how;
+}
+
+output::SummaryEnding RunHost::ending(const std::string& failure) const {
+    // A script may well fail over what an interrupted run did not bring.
+    if (interrupted_) return {"interrupted", "by the user"};
+    if (!failure.empty()) return {"failed", failure};
+    if (last_report_.ending == observe::Ending::stopped) return {"stopped", last_report_.reason};
+    return {};
+}
+
+void RunHost::tell_result(const output::SummaryEnding& ending) {
+    if (ending.state == "failed") terminal_.complain(fmt::format("demlua: run failed: {}", ending.reason));
+    const std::string reason = ending.state == "stopped" ? fmt::format(" ({})", ending.reason) : "";
+    terminal_.say(fmt::format("{}{}: {}", ending.state, reason, effort_line(*simulation_, effort_)));
+    terminal_.say(energy_line(simulation_->ledger()));
+    for (const auto& line : {fracture_line(*simulation_), results_line(results_)}) {
+        if (!line.empty()) terminal_.say(line);
+    }
+    if (writer_->frames() == 0) return;
+    const std::string bonds =
+        writer_->has_bonds() ? " and " + settings_.folder.file("bonds.pvd").string() : std::string();
+    terminal_.say(
+        fmt::format("open it in ParaView: {}{}", settings_.folder.file("elements.pvd").string(), bonds));
+}
+
+output::Summary RunHost::summary(const output::SummaryEnding& ending) const {
+    output::Summary summary;
+    summary.scene_file = settings_.scene_file;
+    summary.inputs = inputs_;
+    summary.ending = ending;
+    summary.threads = settings_.threads;
+    summary.parameters = for_summary(settings_.parameters);
+    summary.results = results_;
+    summary.figures = last_row_;
+    summary.frames = writer_->frames();
+    summary.timings = {settings_.reading_time, assembly_time_, effort_.wall_time, writer_->busy_time()};
+    return summary;
+}
+
+} // namespace demlua::scripting

@@ -1,0 +1,120 @@
+#include "scripting/running.hpp"
+
+#include "scripting/read.hpp"
+#include "scripting/signals.hpp"
+
+#include <utility>
+
+namespace demlua::scripting {
+
+namespace {
+
+/// The simulation a callback looks at, for as long as it does.
+class Watching {
+public:
+    Watching(Context& context, observe::Simulation& simulation)
+        : context_(context), before_(std::exchange(context.watched, &simulation)) {}
+    ~Watching() { context_.watched = before_; }
+    Watching(const Watching&) = delete;
+    Watching& operator=(const Watching&) = delete;
+    Watching(Watching&&) = delete;
+    Watching& operator=(Watching&&) = delete;
+
+private:
+    Context& context_;
+    observe::Simulation* before_;
+};
+
+/// Calls a function with `now`; what it changed is passed on, what it said wrong ends the run. Leaves `results` on the
+/// stack.
+Interpreter& call_with_now(Context& context, observe::Simulation& simulation, const Function& function, int results) {
+    const Watching watching(context, simulation);
+    Interpreter& interpreter = function.push();
+    push(interpreter.L, Now{});
+    interpreter.call(interpreter.L, 1, results);
+    if (context.fatal) std::rethrow_exception(context.fatal);
+    if (!context.changed.empty()) sample_time_functions(context, simulation.time(), context.run_end);
+    context.throw_problems();
+    pass_on_changes(context);
+    return interpreter;
+}
+
+double column_value(Context& context, observe::Simulation& simulation, const HistoryColumn& column,
+                    const Place& place) {
+    if (!column.function) return simulation.measure(column.measure, {});
+    Interpreter& interpreter = call_with_now(context, simulation, column.function, 1);
+    lua_State* const L = interpreter.L;
+    const bool number = lua_type(L, -1) == LUA_TNUMBER;
+    const double value = lua_tonumber(L, -1);
+    const std::string given = describe(L, -1);
+    lua_pop(L, 1);
+    if (number) return value;
+    throw SceneError(Problem{place, "history." + column.name, given, "must return a number", ""});
+}
+
+HistoryRequest request_of(Context& context, const History& history) {
+    HistoryRequest request{history.every, {}};
+    for (const HistoryColumn& column : history.columns) {
+        request.columns.emplace_back(column.name,
+                                     [&context, column, place = history.place](observe::Simulation& simulation) {
+                                         return column_value(context, simulation, column, place);
+                                     });
+    }
+    return request;
+}
+
+RunRequest request_of(Context& context, double duration, const Place& place) {
+    RunRequest request{duration, context.frames_every, {}, {}, place};
+    for (const History& history : context.histories) request.histories.push_back(request_of(context, history));
+    for (const Periodic& periodic : context.periodics) {
+        request.callbacks.push_back({periodic.every, [&context, act = periodic.act](observe::Simulation& simulation) {
+                                         call_with_now(context, simulation, act, 0);
+                                     }});
+    }
+    return request;
+}
+
+RunRequest without_functions(RunRequest request) {
+    for (HistoryRequest& history : request.histories) {
+        for (auto& column : history.columns) column.second = nullptr;
+    }
+    for (observe::Watcher& watcher : request.callbacks) watcher.act = nullptr;
+    return request;
+}
+
+} // namespace
+
+observe::RunReport run_now(Context& context, double duration, const Place& place) {
+    if (context.interrupted) throw LuaFailure("interrupted");
+    if (context.watched != nullptr) throw LuaFailure("sim:run cannot be called while a run is going on");
+    const bool first = context.runs.empty();
+    const double begin = context.time();
+    context.run_end = begin + duration;
+    if (first && context.scene.bodies.empty()) {
+        context.complain({place, "run", "", "there is no body to run", ""}, Cause::value);
+    }
+    if (duration > 0.0) sample_time_functions(context, begin, context.run_end);
+    try_place_functions(context);
+    if (first || context.simulates()) context.check_model();
+    const RunRequest request = request_of(context, duration, place);
+    if (first) context.scene_at_first_run = context.scene;
+    if (!context.simulates()) {
+        context.runs.push_back(without_functions(request));
+        context.skipped_time += duration;
+        context.changed.clear();
+        return {};
+    }
+    context.throw_problems();
+    if (!first) pass_on_changes(context);
+    context.changed.clear();
+    context.runs.push_back(without_functions(request));
+    note_assembled(context);
+    const observe::RunReport report = context.host->run(context.scene, request);
+    if (report.ending == observe::Ending::interrupted) {
+        context.interrupted = true;
+        throw LuaFailure("interrupted");
+    }
+    return report;
+}
+
+} // namespace demlua::scripting

@@ -1,0 +1,12 @@
+// sim:run and the user's functions that run between steps.
+#pragma once
+
+#include "scripting/context.hpp"
+
+namespace demlua::scripting {
+
+/// Runs the scene as it stands for `duration` (s), or, when nothing is simulated, notes that it would. Throws SceneError
+/// and RunError.
+observe::RunReport run_now(Context& context, double duration, const Place& place);
+
+} // namespace demlua::scripting
