@@ -16,9 +16,8 @@ namespace demlua::scripting {
 namespace {
 
 constexpr int most_threads = 256;
-constexpr const char* endings =
-    "Exit codes: 0 done; 2 something is wrong with the scene or the command line, and\n"
-    "nothing was written; 3 the run failed; 130 interrupted, its last frame written.";
+constexpr const char* endings = "Exit codes: 0 done; 2 something is wrong with the scene or the command line, and\n"
+                                "nothing was written; 3 the run failed; 130 interrupted, its last frame written.";
 
 Problem problem(std::string what, std::string value, std::string rule, std::string hint = {}) {
     return {{"demlua", 0}, std::move(what), std::move(value), std::move(rule), std::move(hint)};
@@ -47,8 +46,7 @@ void declare(CLI::App& app, Words& words) {
         ->allow_extra_args(false);
     app.add_option("-o,--output", words.folder, "Folder to write into; else the scene's name with .out")
         ->type_name("DIR");
-    app.add_option("--threads", words.threads, "1 to 256; else as many as there are processors")
-        ->type_name("N");
+    app.add_option("--threads", words.threads, "1 to 256; else as many as there are processors")->type_name("N");
     app.add_flag("--check", words.check, "Say whether the scene is right; run nothing");
     app.add_flag("--explain", words.explain, "Assemble the scene and say what a run would do; run nothing");
     app.add_flag("--quiet", words.quiet, "Show only errors and what the scene prints");
@@ -78,8 +76,8 @@ void refuse_extras(const CLI::App& app, std::vector<Problem>& problems) {
             continue;
         }
         const std::string near = nearest_word(extra.substr(0, extra.find('=')), option_names(app));
-        problems.push_back(problem(extra, "", "unknown option",
-                                   near.empty() ? "see demlua --help" : "did you mean " + near + "?"));
+        problems.push_back(
+            problem(extra, "", "unknown option", near.empty() ? "see demlua --help" : "did you mean " + near + "?"));
     }
 }
 
@@ -102,14 +100,11 @@ void read_threads(const std::string& word, CommandLine& line, std::vector<Proble
     const char* end = word.data() + word.size();
     const auto [rest, error] = std::from_chars(word.data(), end, line.threads);
     if (error != std::errc() || rest != end || line.threads < 1 || line.threads > most_threads) {
-        problems.push_back(
-            problem("--threads", word, fmt::format("a whole number from 1 to {}", most_threads)));
+        problems.push_back(problem("--threads", word, fmt::format("a whole number from 1 to {}", most_threads)));
     }
 }
 
-std::string version_text() {
-    return fmt::format("demlua {} ({}, {}, {})\n", version, revision, compiler, build_type);
-}
+std::string version_text() { return fmt::format("demlua {} ({}, {}, {})\n", version, revision, compiler, build_type); }
 
 /// What was asked to be printed; empty when a scene is to be run.
 std::string text_asked_for(const CLI::App& app, const Words& words) {
@@ -132,13 +127,10 @@ CommandLine meaning(const CLI::App& app, const Words& words) {
         problems.push_back(problem("FILE.lua", "", "missing", "see demlua --help"));
     if (!problems.empty()) throw SceneError(std::move(problems));
     using Task = CommandLine::Task;
-    line.task = !line.text.empty() ? Task::text
-                : words.check      ? Task::check
-                : words.explain    ? Task::explain
-                                   : Task::run;
+    line.task = !line.text.empty() ? Task::text : words.check ? Task::check : words.explain ? Task::explain : Task::run;
     line.scene = words.scene;
-    line.folder = !words.folder.empty() ? std::filesystem::path(words.folder)
-                                        : line.scene.filename().replace_extension(".out");
+    line.folder =
+        !words.folder.empty() ? std::filesystem::path(words.folder) : line.scene.filename().replace_extension(".out");
     line.quiet = words.quiet;
     line.overwrite = words.overwrite;
     return line;
@@ -147,8 +139,7 @@ CommandLine meaning(const CLI::App& app, const Words& words) {
 } // namespace
 
 CommandLine read_command_line(int argc, const char* const* argv) {
-    CLI::App app("Runs a scene of disks and bonds written in Lua and writes what happens for ParaView.",
-                 "demlua");
+    CLI::App app("Runs a scene of disks and bonds written in Lua and writes what happens for ParaView.", "demlua");
     Words words;
     declare(app, words);
     try {

@@ -39,8 +39,6 @@ void Context::complain(Problem problem, Cause cause) {
 }
 
 void Context::check_model() {
-    if (!simulation_said) problems.push_back({inclusions.empty() ? Place{} : Place{inclusions.front().file.string(), 0},
-                                              "dem.simulation", "", "is missing", ""});
     for (Problem& problem : model::check(scene, observe::measurable_fields())) {
         if (blamed.count({problem.place.file, problem.place.line}) == 0) problems.push_back(std::move(problem));
     }
@@ -52,13 +50,14 @@ void Context::throw_problems() const {
 
 namespace {
 
-std::string text_of_file(const std::filesystem::path& path, const std::string& name) {
+std::string text_of_file(const std::filesystem::path& path) {
+    const Place place{path.string(), 0};
     std::error_code failure;
-    if (std::filesystem::is_directory(path, failure)) throw SceneError(Problem{{name, 0}, "is a folder", "", "", ""});
+    if (std::filesystem::is_directory(path, failure)) throw SceneError(Problem{place, "is a folder", "", "", ""});
     std::ifstream file(path, std::ios::binary);
     if (!file) {
         const bool there = std::filesystem::exists(path, failure);
-        throw SceneError(Problem{{name, 0}, there ? "cannot be read" : "no such file", "", "", ""});
+        throw SceneError(Problem{place, there ? "cannot be read" : "no such file", "", "", ""});
     }
     std::ostringstream text;
     text << file.rdbuf();
@@ -67,9 +66,11 @@ std::string text_of_file(const std::filesystem::path& path, const std::string& n
 
 } // namespace
 
-void Context::run_file(const std::filesystem::path& path, const std::string& name) {
-    interpreter->load(interpreter->L, text_of_file(path, name), name);
+void Context::run_file(const std::filesystem::path& name, const std::map<std::string, Plain>& values) {
+    interpreter->load(interpreter->L, text_of_file(name), name.string());
+    inclusions.push_back({name, values});
     interpreter->call(interpreter->L, 0, 0);
+    inclusions.pop_back();
 }
 
 } // namespace demlua::scripting

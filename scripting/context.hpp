@@ -16,6 +16,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace demlua::scripting {
@@ -49,11 +50,16 @@ struct Periodic {
     Function act;
 };
 
-/// Parameters as an including scene sets them: values under their names in a Lua table.
+/// A number, truth or text, remembering whether Lua counts the number as an integer.
+struct Plain {
+    std::variant<double, bool, std::string> value;
+    bool integer = false;
+};
+
+/// A file being read, with what the file that includes it wants its parameters to be.
 struct Inclusion {
     std::filesystem::path file;
-    Function values; ///< any Lua value can be kept; here a table, or nothing for the scene itself
-    std::vector<std::string> declared;
+    std::map<std::string, Plain> values;
 };
 
 /// How many rows of each kind the simulation knows.
@@ -80,25 +86,25 @@ struct Context {
     std::vector<Periodic> periodics;
     std::vector<Function> functions; ///< what model::Callback::key counts from one
     std::vector<Problem> problems;
-    std::size_t complaints = 0; ///< problems seen, those not kept included
+    std::size_t complaints = 0;                   ///< problems seen, those not kept included
     std::set<std::pair<std::string, int>> blamed; ///< places of problems found while reading
 
     // --- where the reading stands ----------------------------------------------------------------------------------
     Overrides overrides;
-    std::set<std::string> used_overrides;
-    std::vector<Inclusion> inclusions; ///< files being read, the innermost last
-    std::size_t open_inclusions = 0;   ///< dem.include "file" not yet followed by its table
-    std::exception_ptr fatal;          ///< ends the reading even if the user's code catches it
+    std::vector<Inclusion> inclusions;  ///< files being read, the innermost last
+    std::vector<Place> open_inclusions; ///< dem.include "file" not yet followed by its table
+    std::exception_ptr fatal;           ///< ends the reading even if the user's code catches it
 
     // --- the run -----------------------------------------------------------------------------------------------------
-    Host* host;                                ///< null: nothing is simulated
-    observe::Simulation* watched = nullptr;    ///< during a callback
-    std::vector<RunRequest> runs;              ///< so far, without functions
+    Host* host;                             ///< null: nothing is simulated
+    observe::Simulation* watched = nullptr; ///< during a callback
+    std::vector<RunRequest> runs;           ///< so far, without functions
     model::Scene scene_at_first_run;
-    double skipped_time = 0.0;                 ///< that runs would have taken when nothing is simulated, s
-    double run_end = 0.0;                      ///< s
+    double skipped_time = 0.0; ///< that runs would have taken when nothing is simulated, s
+    double run_end = 0.0;      ///< s
     RowCounts assembled;
-    std::vector<LoadHandle> changed;           ///< since the simulation last heard
+    std::vector<LoadHandle> changed; ///< since the simulation last heard
+    bool grown = false;              ///< rows have been added since
     bool interrupted = false;
 
     // Last, so that the functions above are let go while their state still is there.
@@ -117,8 +123,8 @@ struct Context {
     /// Throws SceneError with all problems, if there are any.
     void throw_problems() const;
 
-    /// Runs the file at `path`, called `name` in messages. Throws SceneError.
-    void run_file(const std::filesystem::path& path, const std::string& name);
+    /// Runs the file `name` (as messages call it) with its parameters as `values` have them. Throws SceneError.
+    void run_file(const std::filesystem::path& name, const std::map<std::string, Plain>& values);
 };
 
 } // namespace demlua::scripting

@@ -31,26 +31,25 @@ void* allocate(void* user, void* block, std::size_t /*old_size*/, std::size_t si
     return grown;
 }
 
-std::string without(const std::string& prefix, const std::string& text) {
-    return text.compare(0, prefix.size(), prefix) == 0 ? text.substr(prefix.size()) : text;
-}
-
 /// The file a chunk was loaded under; Lua's own short form cuts long names.
 std::string file_of(const lua_Debug& frame) { return frame.source[0] == '@' ? frame.source + 1 : frame.source; }
 
-/// Finds the frame the message speaks of, or else the innermost one with a line, and takes its prefix off.
-void locate(lua_State* L, LuaError& error) {
+/// Finds the frame the message speaks of, or else the innermost one with a line, and takes its prefix off. Returns how
+/// many frames of the user's there are.
+int locate(lua_State* L, LuaError& error) {
     lua_Debug frame;
+    bool found = false;
+    int frames = 0;
     for (int level = 1; lua_getstack(L, level, &frame) == 1; ++level) {
         lua_getinfo(L, "Sl", &frame);
         if (frame.currentline <= 0) continue;
-        if (error.place.line == 0) error.place = {file_of(frame), frame.currentline};
         const std::string prefix = fmt::format("{}:{}: ", frame.short_src, frame.currentline);
-        if (error.message.compare(0, prefix.size(), prefix) != 0) continue;
-        error.place = {file_of(frame), frame.currentline};
-        error.message = without(prefix, error.message);
-        return;
+        const bool named = !found && error.message.compare(0, prefix.size(), prefix) == 0;
+        if (frames++ == 0 || named) error.place = {file_of(frame), frame.currentline};
+        if (named) error.message = error.message.substr(prefix.size());
+        found = found || named;
     }
+    return frames;
 }
 
 /// Message handler of every protected call: runs where the error happened, before the stack is unwound.
@@ -58,7 +57,7 @@ int on_error(lua_State* L) {
     LuaError& error = Interpreter::of(L).error;
     error = {};
     error.message = lua_type(L, 1) == LUA_TSTRING ? lua_tostring(L, 1) : "error with " + describe(L, 1);
-    locate(L, error);
+    if (locate(L, error) < 2) return 1; // a traceback would only repeat the place
     luaL_traceback(L, L, nullptr, 1);
     error.traceback = lua_tostring(L, -1);
     return 1;
@@ -87,7 +86,10 @@ void Interpreter::call(lua_State* on, int arguments, int results) {
     lua_remove(on, handler);
     if (status == LUA_OK) return;
     lua_pop(on, 1);
-    if (status == LUA_ERRMEM) error = {{}, "not enough memory", ""};
+    if (status == LUA_ERRMEM) { // the one failure the handler is not called for
+        error = LuaError();
+        error.message = "not enough memory";
+    }
     throw SceneError(error.problem());
 }
 
@@ -195,16 +197,22 @@ std::string describe_table(lua_State* L, int index) {
 
 std::string describe(lua_State* L, int index) {
     switch (lua_type(L, index)) {
-    case LUA_TNIL: return "nil";
-    case LUA_TBOOLEAN: return lua_toboolean(L, index) != 0 ? "true" : "false";
-    case LUA_TNUMBER: return describe_number(L, index);
+    case LUA_TNIL:
+        return "nil";
+    case LUA_TBOOLEAN:
+        return lua_toboolean(L, index) != 0 ? "true" : "false";
+    case LUA_TNUMBER:
+        return describe_number(L, index);
     case LUA_TSTRING: {
         const std::string text = lua_tostring(L, index);
         return '"' + (text.size() > 40 ? text.substr(0, 37) + "..." : text) + '"';
     }
-    case LUA_TTABLE: return describe_table(L, lua_absindex(L, index));
-    case LUA_TFUNCTION: return "a function";
-    default: break;
+    case LUA_TTABLE:
+        return describe_table(L, lua_absindex(L, index));
+    case LUA_TFUNCTION:
+        return "a function";
+    default:
+        break;
     }
     if (lua_getmetatable(L, index) == 0) return "an object";
     lua_pushliteral(L, "__name");

@@ -10,8 +10,6 @@ namespace demlua::scripting {
 
 namespace {
 
-/// How often in a run the line may change: enough to look alive, few enough to cost nothing.
-constexpr double looks_per_run = 400.0;
 constexpr std::chrono::milliseconds shortest_pause{100};
 
 std::string bar(double share, int cells) {
@@ -22,19 +20,20 @@ std::string bar(double share, int cells) {
 } // namespace
 
 Progress::Progress(Terminal& terminal, const observe::Simulation& simulation, double duration)
-    : terminal_(terminal), duration_(duration), first_time_(simulation.time()),
-      first_step_(simulation.step()), elements_(simulation.element_count()) {}
+    : terminal_(terminal), duration_(duration), first_time_(simulation.time()), first_step_(simulation.step()),
+      elements_(simulation.element_count()) {}
 
 Progress::~Progress() { terminal_.clear_passing(); }
 
 observe::Watcher Progress::watcher() {
-    return {duration_ / looks_per_run, [this](observe::Simulation& simulation) { draw(simulation); }};
+    // At every step: an interval of its own could change the time step, and with it the result.
+    return {0.0, [this](observe::Simulation& simulation) { draw(simulation); }};
 }
 
 void Progress::draw(const observe::Simulation& simulation) {
     const auto now = Clock::now();
-    if (now < next_draw_ + shortest_pause) return;
-    next_draw_ = now;
+    if (now < next_draw_) return;
+    next_draw_ = now + shortest_pause;
     const double wall = std::chrono::duration<double>(now - begin_).count();
     const auto steps = static_cast<double>(simulation.step() - first_step_);
     const double share = std::clamp((simulation.time() - first_time_) / duration_, 0.0, 1.0);

@@ -14,9 +14,9 @@ struct Call {
     Context& context;
     lua_State* L;
     Place place;
-    std::string label;                     ///< how problems call the word
-    std::optional<LoadHandle> load = {};   ///< the row being read, where signals may be functions of time
-    bool may_lack = false;                 ///< a change: required settings need not be there
+    std::string label;                   ///< how problems call the word
+    std::optional<LoadHandle> load = {}; ///< the row being read, where signals may be functions of time
+    bool may_lack = false;               ///< a change: required settings need not be there
 
     Call(lua_State* state, std::string name)
         : context(Context::of(state)), L(state), place(user_place(state)), label(std::move(name)) {}

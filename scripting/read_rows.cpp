@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 namespace demlua::scripting {
 
@@ -12,8 +13,8 @@ using model::Need;
 using model::Setting;
 using model::Word;
 
-void Call::complain(const std::string& what, const std::string& value, const std::string& rule,
-                    const std::string& hint, Cause cause) const {
+void Call::complain(const std::string& what, const std::string& value, const std::string& rule, const std::string& hint,
+                    Cause cause) const {
     context.complain({place, what, value, rule, hint}, cause);
 }
 
@@ -25,8 +26,10 @@ std::string list_of(const std::vector<std::string>& names) {
     return text;
 }
 
-void check_names(const Call& call, int table, const Word& word) {
-    if (!word.others.empty()) return;
+/// Complains of names that are no settings. Returns the settings that may have been meant.
+std::set<std::string> check_names(const Call& call, int table, const Word& word) {
+    std::set<std::string> meant;
+    if (!word.others.empty()) return meant;
     const std::vector<std::string> known = word.setting_names();
     for (const std::string& key : string_keys(call.L, table)) {
         if (word.find(key) != nullptr) continue;
@@ -36,7 +39,9 @@ void check_names(const Call& call, int table, const Word& word) {
         call.complain(call.label + "." + key, describe(call.L, -1), "unknown setting",
                       near.empty() ? "known are " + list_of(known) : near, Cause::wording);
         lua_pop(call.L, 1);
+        meant.insert(nearest_word(key, known));
     }
+    return meant;
 }
 
 bool takes_item(const Word& word, lua_Integer item) {
@@ -85,7 +90,7 @@ bool read_rows(const Call& call, int table, const Word& word, void* object) {
                       "must be given one table of settings", "as in " + word.example, Cause::wording);
         return false;
     }
-    check_names(call, table, word);
+    const std::set<std::string> meant = check_names(call, table, word);
     check_items(call, table, word);
     for (const Setting& setting : word.settings) {
         const model::Slot slot = setting.slot(object);
@@ -93,7 +98,7 @@ bool read_rows(const Call& call, int table, const Word& word, void* object) {
         if (!what.empty()) {
             read_value({call, setting, what, lua_gettop(call.L)}, slot);
             lua_pop(call.L, 1);
-        } else if (setting.need == Need::required && !call.may_lack) {
+        } else if (setting.need == Need::required && !call.may_lack && meant.count(setting.name) == 0) {
             call.complain(call.label + "." + setting.name, "", "is missing; it must be " + wanted(setting, slot), "",
                           Cause::value);
         }
@@ -103,7 +108,8 @@ bool read_rows(const Call& call, int table, const Word& word, void* object) {
 
 void Value::wrong_type(const model::Slot& slot) const {
     std::string hint;
-    if (const auto* choice = std::get_if<model::ChoiceSlot>(&slot); choice != nullptr && lua_type(call.L, index) == LUA_TSTRING) {
+    if (const auto* choice = std::get_if<model::ChoiceSlot>(&slot);
+        choice != nullptr && lua_type(call.L, index) == LUA_TSTRING) {
         hint = model::did_you_mean(lua_tostring(call.L, index), *choice->names);
     }
     call.complain(what, describe(call.L, index), "must be " + wanted(setting, slot), hint, Cause::wording);

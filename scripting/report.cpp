@@ -32,16 +32,15 @@ std::string text_of(const std::variant<double, bool, std::string>& value) {
 
 } // namespace
 
-std::vector<std::string> scene_facts(const model::Scene& scene, const observe::Simulation& simulation,
-                                     int threads) {
+std::vector<std::string> scene_facts(const model::Scene& scene, const observe::Simulation& simulation, int threads) {
     std::vector<std::string> lines;
     if (!scene.title.empty()) lines.push_back(scene.title);
     lines.push_back(fmt::format("{}, {}, {}", counted(simulation.element_count(), "element"),
                                 counted(simulation.bond_count(), "bond"),
                                 counted(static_cast<std::uint64_t>(threads), "thread")));
     lines.push_back(simulation.schedule());
-    lines.push_back(fmt::format("time step {}: {}", with_prefix(simulation.time_step(), "s"),
-                                simulation.time_step_reason()));
+    lines.push_back(
+        fmt::format("time step {}: {}", with_prefix(simulation.time_step(), "s"), simulation.time_step_reason()));
     for (auto& note : simulation.notes()) lines.push_back(std::move(note));
     return lines;
 }
@@ -57,8 +56,8 @@ std::string run_outlook(const observe::Simulation& simulation, double duration, 
 
 std::string scene_in_a_line(const SceneSummary& scene) {
     std::string line = scene.scene.title.empty() ? "untitled" : scene.scene.title;
-    line += fmt::format(": {} bodies, {}, {}", scene.scene.bodies.size(),
-                        counted(scene.scene.walls.size(), "wall"), counted(scene.runs.size(), "run"));
+    line += fmt::format(": {} bodies, {}, {}", scene.scene.bodies.size(), counted(scene.scene.walls.size(), "wall"),
+                        counted(scene.runs.size(), "run"));
     if (scene.runs.empty()) return line;
     double total = 0.0;
     for (const auto& run : scene.runs) total += run.duration;
@@ -68,8 +67,7 @@ std::string scene_in_a_line(const SceneSummary& scene) {
 std::string effort_line(const observe::Simulation& simulation, const Effort& effort) {
     std::string line = fmt::format("{} in {}, {} of wall time", with_prefix(simulation.time(), "s"),
                                    counted(effort.steps, "step"), duration(effort.wall_time));
-    const double element_steps =
-        static_cast<double>(effort.steps) * static_cast<double>(simulation.element_count());
+    const double element_steps = static_cast<double>(effort.steps) * static_cast<double>(simulation.element_count());
     if (element_steps == 0.0) return line;
     return line + fmt::format(", {:.1f} ns per element and step", effort.wall_time / element_steps * 1e9);
 }
@@ -92,8 +90,7 @@ std::string energy_line(const observe::Ledger& ledger) {
     if (whole == 0.0) return "energy: none";
     std::string line = fmt::format("energy {}:", with_prefix(whole, "J"));
     for (const auto& [name, value] : parts) {
-        if (std::abs(value) >= least_share * whole)
-            line += fmt::format(" {} {:.0f} %,", name, 100.0 * value / whole);
+        if (std::abs(value) >= least_share * whole) line += fmt::format(" {} {:.0f} %,", name, 100.0 * value / whole);
     }
     return line + fmt::format(" unaccounted {:.2g} %", 100.0 * ledger.error / whole);
 }
@@ -101,8 +98,8 @@ std::string energy_line(const observe::Ledger& ledger) {
 std::string fracture_line(const observe::Simulation& simulation) {
     const std::size_t broken = simulation.broken_bonds();
     if (broken == 0) return {};
-    return fmt::format("{}, crack length {:.4g} m, {}", counted(broken, "broken bond"),
-                       simulation.crack_length(), counted(simulation.fragments(), "fragment"));
+    return fmt::format("{}, crack length {:.4g} m, {}", counted(broken, "broken bond"), simulation.crack_length(),
+                       counted(simulation.fragments(), "fragment"));
 }
 
 std::string results_line(const std::vector<Result>& results) {

@@ -12,9 +12,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point begin) {
-    return std::chrono::duration<double>(Clock::now() - begin).count();
-}
+double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
 /// Adds what a run took, however it ends.
 class EffortMeter {
@@ -47,12 +45,14 @@ std::vector<double> distinct(std::vector<double> intervals, double otherwise) {
 
 std::vector<double> intervals_of(const std::vector<HistoryRequest>& histories) {
     std::vector<double> intervals;
+    intervals.reserve(histories.size());
     for (const auto& history : histories) intervals.push_back(history.every);
     return intervals;
 }
 
 std::vector<output::SummaryParameter> for_summary(const std::vector<Parameter>& parameters) {
     std::vector<output::SummaryParameter> rows;
+    rows.reserve(parameters.size());
     for (const auto& p : parameters) rows.push_back({p.name, p.value, p.fallback, p.unit, p.help});
     return rows;
 }
@@ -83,8 +83,8 @@ void RunHost::begin_run(const model::Scene& scene, const RunRequest& request) {
         start(scene);
     } else {
         simulation_->take_in(scene);
+        inputs_ = output::inputs_json(scene, *simulation_);
     }
-    inputs_ = output::inputs_json(scene, *simulation_);
     terminal_.say(run_outlook(*simulation_, request.duration, settings_.threads));
 }
 
@@ -92,6 +92,7 @@ void RunHost::start(const model::Scene& scene) {
     const auto begin = Clock::now();
     simulation_ = std::make_unique<observe::Simulation>(scene, settings_.threads);
     assembly_time_ = seconds_since(begin);
+    inputs_ = output::inputs_json(scene, *simulation_);
     settings_.folder.open(settings_.scene_text);
     writer_ = std::make_unique<output::Writer>(settings_.folder);
     terminal_.attach(*writer_);
@@ -102,9 +103,9 @@ void RunHost::start(const model::Scene& scene) {
 std::vector<observe::Watcher> RunHost::watchers(const RunRequest& request, Progress& progress) {
     // Without sim:output a run still shows its start and its end; without sim:history there is a row for each frame.
     const auto frames = distinct(request.frames_every, request.duration);
-    const auto rows =
-        request.histories.empty() ? frames : distinct(intervals_of(request.histories), request.duration);
+    const auto rows = request.histories.empty() ? frames : distinct(intervals_of(request.histories), request.duration);
     std::vector<observe::Watcher> all;
+    all.reserve(rows.size() + frames.size() + 1 + request.callbacks.size());
     for (const double every : rows) {
         all.push_back({every, [this, &request](observe::Simulation&) { take_row(request.histories); }});
     }
@@ -172,18 +173,24 @@ output::SummaryEnding RunHost::ending(const std::string& failure) const {
 }
 
 void RunHost::tell_result(const output::SummaryEnding& ending) {
-    if (ending.state == "failed") terminal_.complain(fmt::format("demlua: run failed: {}", ending.reason));
+    const bool failed = ending.state == "failed";
+    if (failed) terminal_.complain(fmt::format("demlua: run failed: {}", ending.reason));
     const std::string reason = ending.state == "stopped" ? fmt::format(" ({})", ending.reason) : "";
     terminal_.say(fmt::format("{}{}: {}", ending.state, reason, effort_line(*simulation_, effort_)));
-    terminal_.say(energy_line(simulation_->ledger()));
-    for (const auto& line : {fracture_line(*simulation_), results_line(results_)}) {
-        if (!line.empty()) terminal_.say(line);
+    // What a failed run holds in memory need not make sense; its last frame and row do.
+    if (!failed) {
+        terminal_.say(energy_line(simulation_->ledger()));
+        for (const auto& line : {fracture_line(*simulation_), results_line(results_)}) {
+            if (!line.empty()) terminal_.say(line);
+        }
     }
-    if (writer_->frames() == 0) return;
-    const std::string bonds =
-        writer_->has_bonds() ? " and " + settings_.folder.file("bonds.pvd").string() : std::string();
-    terminal_.say(
-        fmt::format("open it in ParaView: {}{}", settings_.folder.file("elements.pvd").string(), bonds));
+    if (writer_->frames() > 0) terminal_.say("open it in ParaView: " + files_to_open());
+}
+
+std::string RunHost::files_to_open() const {
+    std::string elements = settings_.folder.file("elements.pvd").string();
+    if (!writer_->has_bonds()) return elements;
+    return fmt::format("{} and {}", elements, settings_.folder.file("bonds.pvd").string());
 }
 
 output::Summary RunHost::summary(const output::SummaryEnding& ending) const {

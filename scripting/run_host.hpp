@@ -59,6 +59,7 @@ private:
     void take_row(const std::vector<HistoryRequest>& extra);
     [[nodiscard]] output::SummaryEnding ending(const std::string& failure) const;
     void tell_result(const output::SummaryEnding& ending);
+    [[nodiscard]] std::string files_to_open() const;
     [[nodiscard]] output::Summary summary(const output::SummaryEnding& ending) const;
 
     RunSettings settings_;

@@ -33,7 +33,7 @@ Interpreter& call_with_now(Context& context, observe::Simulation& simulation, co
     push(interpreter.L, Now{});
     interpreter.call(interpreter.L, 1, results);
     if (context.fatal) std::rethrow_exception(context.fatal);
-    if (!context.changed.empty()) sample_time_functions(context, simulation.time(), context.run_end);
+    sample_changed(context, simulation.time(), context.run_end);
     context.throw_problems();
     pass_on_changes(context);
     return interpreter;
@@ -101,12 +101,10 @@ observe::RunReport run_now(Context& context, double duration, const Place& place
     if (!context.simulates()) {
         context.runs.push_back(without_functions(request));
         context.skipped_time += duration;
-        context.changed.clear();
         return {};
     }
     context.throw_problems();
-    if (!first) pass_on_changes(context);
-    context.changed.clear();
+    pass_on_changes(context);
     context.runs.push_back(without_functions(request));
     note_assembled(context);
     const observe::RunReport report = context.host->run(context.scene, request);

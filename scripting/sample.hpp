@@ -8,7 +8,7 @@
 
 namespace demlua::scripting {
 
-inline constexpr double sampling_tolerance = 1e-6;         ///< share of the largest value
+inline constexpr double sampling_tolerance = 1e-6; ///< share of the largest value
 inline constexpr std::size_t greatest_sample_count = 65536;
 
 struct Sampled {

@@ -36,11 +36,10 @@ Target target_of(Scene& scene, const TimeFunction& said) {
 /// What a slot was told before no longer counts.
 void forget(Context& context, const void* target) {
     auto& said = context.time_functions;
-    said.erase(std::remove_if(said.begin(), said.end(),
-                              [&](const TimeFunction& each) {
-                                  return target_of(context.scene, each).address == target;
-                              }),
-               said.end());
+    said.erase(
+        std::remove_if(said.begin(), said.end(),
+                       [&](const TimeFunction& each) { return target_of(context.scene, each).address == target; }),
+        said.end());
 }
 
 /// { { time, value }, ... }; order and finiteness are the model checker's business.
@@ -78,23 +77,31 @@ double value_at(const TimeFunction& said, double time) {
                              fmt::format("must return a finite number at time {} s", time), ""});
 }
 
+/// Samples one function into its place in the scene; what is wrong with it is complained of.
 void sample_one(Context& context, const TimeFunction& said, double begin, double end) {
     constexpr double greatest_error = 1e-3;
-    const Sampled sampled = sample([&](double time) { return value_at(said, time); }, begin, end);
-    if (sampled.error > greatest_error) {
-        throw SceneError(Problem{said.place, word_of(said.load.kind).name() + "." + said.setting, "",
-                                 fmt::format("changes too fast: {} samples over {} s leave an error of {:.1g}",
-                                             greatest_sample_count, end - begin, sampled.error),
-                                 ""});
+    try {
+        const Sampled sampled = sample([&](double time) { return value_at(said, time); }, begin, end);
+        *target_of(context.scene, said).signal = sampled.signal;
+        if (sampled.error <= greatest_error) return;
+        context.complain({said.place, word_of(said.load.kind).name() + "." + said.setting, "",
+                          fmt::format("changes too fast: {} samples over {} s leave an error of {:.1g}",
+                                      greatest_sample_count, end - begin, sampled.error),
+                          ""},
+                         Cause::value);
+    } catch (const SceneError& error) {
+        for (const Problem& problem : error.problems()) context.complain(problem, Cause::value);
     }
-    *target_of(context.scene, said).signal = sampled.signal;
 }
 
 void replace(observe::Simulation& simulation, const Scene& scene, const LoadHandle& load) {
     switch (load.kind) {
-    case LoadKind::motion: return simulation.replace_motion(load.row, scene.motions[load.row]);
-    case LoadKind::force: return simulation.replace_force(load.row, scene.forces[load.row]);
-    case LoadKind::traction: return simulation.replace_traction(load.row, scene.tractions[load.row]);
+    case LoadKind::motion:
+        return simulation.replace_motion(load.row, scene.motions[load.row]);
+    case LoadKind::force:
+        return simulation.replace_force(load.row, scene.forces[load.row]);
+    case LoadKind::traction:
+        return simulation.replace_traction(load.row, scene.tractions[load.row]);
     case LoadKind::wall: {
         const Wall& wall = scene.walls[load.row];
         const Signal still = Signal::constant(0.0);
@@ -107,30 +114,42 @@ void replace(observe::Simulation& simulation, const Scene& scene, const LoadHand
 
 const Word& word_of(LoadKind kind) {
     switch (kind) {
-    case LoadKind::motion: return words::move();
-    case LoadKind::force: return words::force();
-    case LoadKind::traction: return words::traction();
-    case LoadKind::wall: break;
+    case LoadKind::motion:
+        return words::move();
+    case LoadKind::force:
+        return words::force();
+    case LoadKind::traction:
+        return words::traction();
+    case LoadKind::wall:
+        break;
     }
     return words::wall();
 }
 
 void* row_of(Scene& scene, const LoadHandle& load) {
     switch (load.kind) {
-    case LoadKind::motion: return &scene.motions[load.row];
-    case LoadKind::force: return &scene.forces[load.row];
-    case LoadKind::traction: return &scene.tractions[load.row];
-    case LoadKind::wall: break;
+    case LoadKind::motion:
+        return &scene.motions[load.row];
+    case LoadKind::force:
+        return &scene.forces[load.row];
+    case LoadKind::traction:
+        return &scene.tractions[load.row];
+    case LoadKind::wall:
+        break;
     }
     return &scene.walls[load.row];
 }
 
 std::size_t count_of(const Scene& scene, LoadKind kind) {
     switch (kind) {
-    case LoadKind::motion: return scene.motions.size();
-    case LoadKind::force: return scene.forces.size();
-    case LoadKind::traction: return scene.tractions.size();
-    case LoadKind::wall: break;
+    case LoadKind::motion:
+        return scene.motions.size();
+    case LoadKind::force:
+        return scene.forces.size();
+    case LoadKind::traction:
+        return scene.tractions.size();
+    case LoadKind::wall:
+        break;
     }
     return scene.walls.size();
 }
@@ -161,12 +180,15 @@ void read_signal(const Value& value, const Slot& slot, int at, int component, Si
 
 void sample_time_functions(Context& context, double begin, double end) {
     for (const TimeFunction& said : context.time_functions) {
-        try {
-            sample_one(context, said, begin, end);
-        } catch (const SceneError& error) {
-            for (const Problem& problem : error.problems()) context.complain(problem, Cause::value);
-        }
+        sample_one(context, said, begin, end);
         context.changed.push_back(said.load);
+    }
+}
+
+void sample_changed(Context& context, double begin, double end) {
+    for (const TimeFunction& said : context.time_functions) {
+        if (std::find(context.changed.begin(), context.changed.end(), said.load) == context.changed.end()) continue;
+        sample_one(context, said, begin, end);
     }
 }
 
@@ -176,10 +198,11 @@ void pass_on_changes(Context& context) {
         for (const LoadHandle& load : context.changed) {
             if (load.row < context.assembled[load.kind]) replace(*simulation, context.scene, load);
         }
-        simulation->take_in(context.scene);
+        if (context.grown) simulation->take_in(context.scene);
         note_assembled(context);
     }
     context.changed.clear();
+    context.grown = false;
 }
 
 void note_assembled(Context& context) {

@@ -11,9 +11,10 @@ const model::Word& word_of(LoadKind kind);
 void* row_of(model::Scene& scene, const LoadHandle& load);
 std::size_t count_of(const model::Scene& scene, LoadKind kind);
 
-/// Samples every function of time over the run that begins at `begin` and ends at `end` (s), and marks their loads
-/// changed.
+/// Samples every function of time over the run from `begin` to `end` (s), and marks its load changed.
 void sample_time_functions(Context& context, double begin, double end);
+/// The same for loads that have changed during the run.
+void sample_changed(Context& context, double begin, double end);
 
 /// Tells the simulation, when there is one, which loads have changed or been added since it last heard.
 void pass_on_changes(Context& context);

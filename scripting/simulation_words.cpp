@@ -45,6 +45,7 @@ T& add_row(const Call& call, const WordOf<T>& word, std::vector<T>& rows) {
     fresh.place = call.place;
     read(call, 2, word, fresh);
     rows.push_back(std::move(fresh));
+    call.context.grown = true;
     return rows.back();
 }
 
@@ -56,6 +57,8 @@ int add_load(lua_State* L, const WordOf<T>& word, std::vector<T>& rows, LoadKind
     rows.back().place = call.place;
     call.load = LoadHandle{kind, rows.size() - 1};
     read(call, 2, word, rows.back());
+    call.context.grown = true;
+    call.context.changed.push_back(*call.load);
     push(L, *call.load);
     return 1;
 }

@@ -22,7 +22,6 @@
 #include <limits>
 #include <set>
 #include <string>
-#include <thread>
 
 using namespace demlua;
 using Catch::Matchers::ContainsSubstring;
@@ -90,12 +89,10 @@ std::string refusal(const output::RunFolder& folder) {
 
 TEST_CASE("a frame's text is compressed appended binary with all its fields", "[output]") {
     const std::string elements = output::elements_vtu(three_elements(0.25));
-    CHECK_THAT(elements,
-               ContainsSubstring("NumberOfPoints=\"3\"") && ContainsSubstring("NumberOfCells=\"3\""));
+    CHECK_THAT(elements, ContainsSubstring("NumberOfPoints=\"3\"") && ContainsSubstring("NumberOfCells=\"3\""));
     CHECK_THAT(elements, ContainsSubstring("compressor=") && ContainsSubstring("encoding=\"raw\""));
     CHECK_THAT(elements, ContainsSubstring("Name=\"TimeValue\"") && ContainsSubstring("Name=\"id\""));
-    CHECK_THAT(elements,
-               ContainsSubstring("Name=\"velocity\" NumberOfComponents=\"3\" ComponentName0=\"x\""));
+    CHECK_THAT(elements, ContainsSubstring("Name=\"velocity\" NumberOfComponents=\"3\" ComponentName0=\"x\""));
     CHECK_THAT(elements, ContainsSubstring("Name=\"stress\" NumberOfComponents=\"3\" ComponentName0=\"xx\""));
     const std::string bonds = output::bonds_vtu(three_elements(0.25));
     CHECK_THAT(bonds, ContainsSubstring("NumberOfCells=\"2\"") && ContainsSubstring("Name=\"state\""));
@@ -112,8 +109,8 @@ TEST_CASE("both indexes name every frame of a series with its time", "[output]")
     output::Series series(scratch / "", "elements");
     series.add(0.0, "first");
     series.add(0.1, "second");
-    CHECK(names_in(scratch / "") == std::set<std::string>{"elements_000000.vtu", "elements_000001.vtu",
-                                                          "elements.pvd", "elements.vtu.series"});
+    CHECK(names_in(scratch / "") ==
+          std::set<std::string>{"elements_000000.vtu", "elements_000001.vtu", "elements.pvd", "elements.vtu.series"});
     CHECK(text_of(scratch / "elements_000001.vtu") == "second");
     CHECK_THAT(text_of(scratch / "elements.pvd"),
                ContainsSubstring("timestep=\"0\" group=\"\" part=\"0\" file=\"elements_000000.vtu\"") &&
@@ -169,8 +166,7 @@ TEST_CASE("another run's folder is refused, or emptied of that run alone", "[out
     CHECK_THAT(refusal(careful), ContainsSubstring("holds another run") && ContainsSubstring("--overwrite"));
     CHECK(names_in(scratch / "run").size() == 6);
     output::RunFolder(scratch / "run", scratch / "x.lua", true).open("new");
-    CHECK(names_in(scratch / "run") ==
-          std::set<std::string>{"scene.lua", "notes.txt", "elements_of_style.vtu"});
+    CHECK(names_in(scratch / "run") == std::set<std::string>{"scene.lua", "notes.txt", "elements_of_style.vtu"});
 }
 
 TEST_CASE("files that no run wrote are never replaced", "[output]") {
@@ -186,8 +182,7 @@ TEST_CASE("files that no run wrote are never replaced", "[output]") {
 TEST_CASE("a place where nothing can be written is refused", "[output]") {
     const Scratch scratch;
     output::replace_file(scratch / "file", "x");
-    CHECK_THAT(refusal(output::RunFolder(scratch / "file", "x.lua", false)),
-               ContainsSubstring("is not a folder"));
+    CHECK_THAT(refusal(output::RunFolder(scratch / "file", "x.lua", false)), ContainsSubstring("is not a folder"));
     CHECK_THAT(refusal(output::RunFolder(scratch / "file/below", "x.lua", false)),
                ContainsSubstring("is not a folder"));
     if (geteuid() == 0) return; // nothing is closed to root
@@ -238,8 +233,7 @@ TEST_CASE("a folder that vanishes stops the run with one error", "[output]") {
     fs::remove_all(scratch / "run");
     writer.frame(three_elements(0.5));
     CHECK_THROWS_AS(writer.drain(), RunError);
-    CHECK_THROWS_WITH(writer.frame(three_elements(1.0)),
-                      ContainsSubstring("elements_000001.vtu cannot be written"));
+    CHECK_THROWS_WITH(writer.frame(three_elements(1.0)), ContainsSubstring("elements_000001.vtu cannot be written"));
     CHECK_THROWS_AS(writer.finish("{}"), RunError);
 }
 
@@ -263,8 +257,7 @@ TEST_CASE("the summary holds inputs, ending, figures and versions", "[output]") 
     summary.scene_file = "two.lua";
     summary.inputs = output::inputs_json(scene, simulation);
     summary.ending = {"stopped", "enough \"seen\""};
-    summary.parameters = {{"speed", 80.0, 70.0, "m/s", ""},
-                          {"mode", std::string("slow"), std::string("fast"), "", ""}};
+    summary.parameters = {{"speed", 80.0, 70.0, "m/s", ""}, {"mode", std::string("slow"), std::string("fast"), "", ""}};
     summary.results = {{"force", 2.5}, {"held", true}};
     summary.figures = {{"time", 0.5}, {"depth", std::numeric_limits<double>::quiet_NaN()}};
     const auto json = nlohmann::json::parse(output::summary_json(summary, simulation));

@@ -1,4 +1,5 @@
-// Near pairs among points of the plane, found through square cells; the order of the pairs depends on the points alone.
+// Near pairs among points of the plane, found through square cells; the order of the pairs depends on the
+// points alone.
 #pragma once
 
 #include "engine/base/column.hpp"
@@ -12,12 +13,12 @@
 
 namespace demlua {
 
-/// Points sorted by cell (a counting sort: cells row by row, points of one cell in rising index). Build anew whenever
-/// the points have moved; memory is kept from one build to the next.
+/// Points sorted by cell (a counting sort: cells row by row, points of one cell in rising index). Build anew
+/// whenever the points have moved; memory is kept from one build to the next.
 class CellGrid {
 public:
-    /// `points` must be finite; `cell` is the least side of a cell, m, above zero: it bounds the reach of the searches
-    /// that follow. Cells are made larger where the points are so sparse that most would be empty.
+    /// `points` must be finite; `cell` is the least side of a cell, m, above zero: it bounds the reach of the
+    /// searches that follow. Cells are made larger where the points are so sparse that most would be empty.
     void build(std::span<const Vec2> points, double cell) {
         points_.assign(points.begin(), points.end());
         lay_out(cell);
@@ -36,8 +37,8 @@ public:
     /// Indices of the points, cell after cell.
     [[nodiscard]] const std::vector<Index>& order() const { return order_; }
 
-    /// Calls `f(i, j)` once for every pair of points at most `reach` (m, not above `cell`) apart. The pairs of one `i`
-    /// come in a row, the `i` in the order of `order()`; either index may be the smaller.
+    /// Calls `f(i, j)` once for every pair of points at most `reach` (m, not above `cell`) apart. The pairs
+    /// of one `i` come in a row, the `i` in the order of `order()`; either index may be the smaller.
     template <class F>
     void for_each_pair(double reach, const F& f) const {
         for (std::size_t row = 0; row < rows_; ++row) {

@@ -12,7 +12,23 @@ constexpr double larger(double a, double b) { return std::max(a, b); }
 constexpr double clamped(double value, double limit) { return larger(-limit, smaller(value, limit)); }
 inline double magnitude(double value) { return std::fabs(value); }
 inline double square_root(double value) { return std::sqrt(value); }
-inline double angle_of(double cosine, double sine) { return std::atan2(sine, cosine); }
-inline double nearest_whole(double value) { return std::nearbyint(value); }
+
+/// Angle of the vector (cosine, sine), rad. Small angles, nearly all there are between bonds, by a series whose first term
+/// left out is below one unit in the last place.
+inline double angle_of(double cosine, double sine) {
+    constexpr double series_limit = 0.1;
+    if (!(std::fabs(sine) < series_limit * cosine)) return std::atan2(sine, cosine);
+    const double t = sine / cosine;
+    const double q = t * t;
+    double sum = 1.0 / 15.0;
+    for (const double divisor : {13.0, 11.0, 9.0, 7.0, 5.0, 3.0, 1.0}) sum = 1.0 / divisor - q * sum;
+    return t * sum;
+}
+
+/// Nearest whole number, ties to even, for |value| below 2^51.
+inline double nearest_whole(double value) {
+    constexpr double magic = 0x1.8p52;
+    return (value + magic) - magic;
+}
 
 } // namespace demlua

@@ -7,7 +7,7 @@ namespace demlua {
 namespace {
 
 // Long enough to bridge the gap between two stages of a step, short enough not to burn a core between runs.
-constexpr int spins_before_sleep = 20000;
+constexpr int spins_before_sleep = 1000;
 
 template <class Value>
 void await_change(const std::atomic<Value>& value, Value old) {

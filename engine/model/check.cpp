@@ -87,9 +87,7 @@ void check_packing(const Body& body, Findings& findings) {
     }
 }
 
-bool selects_nothing(const Selection& selection) {
-    return !selection.body && !selection.within && !selection.where;
-}
+bool selects_nothing(const Selection& selection) { return !selection.body && !selection.within && !selection.where; }
 
 void check_selection(const Selection& selection, const std::string& word, const Place& place, Findings& findings) {
     if (!selects_nothing(selection)) return;
@@ -149,8 +147,7 @@ void check_traction(const Traction& traction, Findings& findings) {
 
 void check_wall(const Wall& wall, Findings& findings) {
     if (wall.path.size() < 2) {
-        findings.add(wall.place, "wall.path", std::to_string(wall.path.size()) + " points",
-                     "must have at least two points");
+        findings.add(wall.place, "wall.path", "", "must have at least two points");
     }
     for (std::size_t k = 1; k < wall.path.size(); ++k) {
         if (!(wall.path[k] == wall.path[k - 1])) continue;
@@ -213,7 +210,8 @@ bool meet(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
 
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& known) {
     const std::string nearest = nearest_word(word, known);
-    return nearest.empty() ? std::string{} : "did you mean " + quoted(nearest) + "?";
+    // Between words of one letter everything is near.
+    return nearest.size() < 2 || word.size() < 2 ? std::string{} : "did you mean " + quoted(nearest) + "?";
 }
 
 std::string polygon_fault(const std::vector<Vec2>& corners) {

@@ -1,6 +1,7 @@
-// A region is a tree that knows on which side a point lies, and beside it the pieces of its true boundary (straight
-// pieces and arcs of circles, the region on their left). The tree decides signs; distances, normals, boxes and areas
-// are closed forms over the pieces, so that no seam or hidden edge of a combination is ever felt.
+// A region is a tree that knows on which side a point lies, and beside it the pieces of its true boundary
+// (straight pieces and arcs of circles, the region on their left). The tree decides signs; distances,
+// normals, boxes and areas are closed forms over the pieces, so that no seam or hidden edge of a combination
+// is ever felt.
 #include "engine/model/region.hpp"
 
 #include <algorithm>
@@ -17,8 +18,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr double parallel = 1e-12; ///< sine of the angle below which directions count as equal
 
-/// A stretch of boundary with the region on its left. A straight piece runs from `begin` to `end` metres along
-/// `direction` (either may be infinite); an arc covers the angles from `begin` to `end`, at most a full turn.
+/// A stretch of boundary with the region on its left. A straight piece runs from `begin` to `end` metres
+/// along `direction` (either may be infinite); an arc covers the angles from `begin` to `end`, at most a full
+/// turn.
 struct Piece {
     Vec2 origin;              ///< a point of the line, or the centre of the circle, m
     Vec2 direction;           ///< unit vector; straight pieces only
@@ -93,7 +95,7 @@ Foot nearest_foot(const Pieces& pieces, Vec2 point) {
     return best;
 }
 
-// --- where the full lines and circles of two pieces cross --------------------------------------------------------
+// --- where the full lines and circles of two pieces cross --------------------------------------------------
 
 void cross_lines(const Piece& a, const Piece& b, std::vector<Vec2>& found) {
     const double sine = cross(a.direction, b.direction);
@@ -166,7 +168,7 @@ Pieces cut(const Piece& piece, const Pieces& others, double near) {
     return parts;
 }
 
-// --- boxes -------------------------------------------------------------------------------------------------------
+// --- boxes -------------------------------------------------------------------------------------------------
 
 constexpr Box nothing{{infinity, infinity}, {-infinity, -infinity}};
 constexpr Box everything{{-infinity, -infinity}, {infinity, infinity}};
@@ -218,7 +220,7 @@ std::vector<double> angles_of_rays(const Pieces& pieces) {
 
 } // namespace
 
-// --- the tree ----------------------------------------------------------------------------------------------------
+// --- the tree ----------------------------------------------------------------------------------------------
 
 struct Region::Shape {
     Shape() = default;
@@ -236,10 +238,10 @@ struct Region::Shape {
         return 16.0 * std::numeric_limits<double>::epsilon() * (reach + std::abs(point.x) + std::abs(point.y));
     }
 
-    Pieces boundary;       ///< what truly bounds the region, the region on the left
-    Box box = everything;  ///< around the region
-    double reach = 0.0;    ///< largest coordinate it was made from, m
-    double size = 0.0;     ///< largest finite extent it was made from, m; 0 when there is none
+    Pieces boundary;      ///< what truly bounds the region, the region on the left
+    Box box = everything; ///< around the region
+    double reach = 0.0;   ///< largest coordinate it was made from, m
+    double size = 0.0;    ///< largest finite extent it was made from, m; 0 when there is none
 
 protected:
     [[nodiscard]] virtual int side_by_shape(Vec2 point) const = 0;
@@ -348,7 +350,8 @@ struct Polygon final : Shape {
         size = std::max(box.size().x, box.size().y);
     }
 
-    /// Counts the edges to the right of the point; an edge owns its lower end only, so a corner is counted once.
+    /// Counts the edges to the right of the point; an edge owns its lower end only, so a corner is counted
+    /// once.
     [[nodiscard]] int side_by_shape(Vec2 point) const override {
         const double slack = rounding(point);
         bool inside = false;
@@ -398,13 +401,16 @@ struct Combination final : Shape {
         find_box();
     }
 
+    /// Where the boundaries of both meet, the point may still lie inside (on a seam) or outside (on a cut along
+    /// nothing): then its surroundings decide.
     [[nodiscard]] int side_by_shape(Vec2 point) const override {
-        switch (combine) {
-        case Combine::either: return std::min(first->side(point), second->side(point));
-        case Combine::both: return std::max(first->side(point), second->side(point));
-        case Combine::first_only: break;
+        const int here = combined_side(point);
+        if (here != 0 || nearest_foot(boundary, point).distance <= rounding(point)) return here;
+        for (const Vec2 aside : {Vec2{0.6, 0.8}, Vec2{-0.8, 0.6}, Vec2{0.28, -0.96}}) {
+            const int nearby = combined_side(point + closeness() * aside);
+            if (nearby != 0) return nearby;
         }
-        return std::max(first->side(point), -second->side(point));
+        return here;
     }
 
     std::shared_ptr<const Shape> first;
@@ -412,8 +418,20 @@ struct Combination final : Shape {
     Combine combine;
 
 private:
-    /// Cuts both boundaries where they meet and keeps the parts that have the region on one side only. A part that
-    /// belongs to both boundaries is taken from the first.
+    [[nodiscard]] int combined_side(Vec2 point) const {
+        switch (combine) {
+        case Combine::either:
+            return std::min(first->side(point), second->side(point));
+        case Combine::both:
+            return std::max(first->side(point), second->side(point));
+        case Combine::first_only:
+            break;
+        }
+        return std::max(first->side(point), -second->side(point));
+    }
+
+    /// Cuts both boundaries where they meet and keeps the parts that have the region on one side only. A part
+    /// that belongs to both boundaries is taken from the first.
     void find_boundary() {
         const double near = closeness();
         Pieces of_second = second->boundary;
@@ -449,9 +467,17 @@ private:
     [[nodiscard]] bool bounds_region(const Piece& part, double near) const {
         const double s = middle(part);
         const Vec2 step = near * part.outward(s);
-        return side_by_shape(part.at(s) - step) < 0 && side_by_shape(part.at(s) + step) > 0;
+        return combined_side(part.at(s) - step) < 0 && combined_side(part.at(s) + step) > 0;
     }
 };
+
+/// The wall as seen from `point`, given its nearest place.
+Boundary wall_at(const Shape& shape, const Foot& foot, Vec2 point) {
+    if (foot.distance <= shape.rounding(point)) return {0.0, foot.piece->outward(foot.s)};
+    const Vec2 away = (point - foot.piece->at(foot.s)) / foot.distance;
+    if (shape.side(point) > 0) return {foot.distance, away};
+    return {-foot.distance, -away};
+}
 
 /// Half the integral of x dy - y dx along a finite piece, about `about`.
 double swept_area(const Piece& piece, Vec2 about) {
@@ -469,7 +495,7 @@ bool infinite(const Box& box) {
 
 } // namespace
 
-// --- regions -----------------------------------------------------------------------------------------------------
+// --- regions -----------------------------------------------------------------------------------------------
 
 Region::Region() : shape_(std::make_shared<Empty>()) {}
 Region::Region(std::shared_ptr<const Shape> shape) : shape_(std::move(shape)) {}
@@ -504,17 +530,30 @@ Region Region::rotated(double angle, Vec2 about) const {
 }
 
 double Region::distance(Vec2 point) const {
-    const double distance = nearest_foot(shape_->boundary, point).distance;
-    if (distance <= shape_->rounding(point)) return 0.0;
-    return shape_->side(point) > 0 ? distance : -distance;
+    const Foot foot = nearest_foot(shape_->boundary, point);
+    if (foot.piece == nullptr) return shape_->side(point) > 0 ? infinity : -infinity;
+    return wall_at(*shape_, foot, point).distance;
 }
 
 Vec2 Region::outward(Vec2 point) const {
     const Foot foot = nearest_foot(shape_->boundary, point);
-    if (foot.piece == nullptr) return {1.0, 0.0};
-    if (foot.distance <= shape_->rounding(point)) return foot.piece->outward(foot.s);
-    const Vec2 away = (point - foot.piece->at(foot.s)) / foot.distance;
-    return shape_->side(point) > 0 ? away : -away;
+    return foot.piece == nullptr ? Vec2{1.0, 0.0} : wall_at(*shape_, foot, point).outward;
+}
+
+void Region::walls_near(Vec2 point, double reach, std::vector<Boundary>& found) const {
+    found.clear();
+    const Foot foot = nearest_foot(shape_->boundary, point);
+    if (foot.piece == nullptr) return;
+    const Boundary nearest = wall_at(*shape_, foot, point);
+    if (nearest.distance <= -reach) return;
+    found.push_back(nearest);
+    for (const Piece& piece : shape_->boundary) {
+        const double s = piece.nearest(point);
+        if (&piece == foot.piece || s <= piece.begin || s >= piece.end) continue;
+        const Vec2 out = piece.outward(s);
+        const double depth = dot(piece.at(s) - point, out);
+        if (depth >= 0.0 && depth < reach) found.push_back({-depth, out});
+    }
 }
 
 Box Region::bounds() const { return shape_->box; }

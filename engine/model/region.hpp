@@ -8,7 +8,15 @@
 
 namespace demlua::model {
 
-/// A part of the plane, metres. Copies are cheap and share what they were made from. An empty region by default.
+/// A part of the boundary as seen from a point: signed distance (m, negative inside the region) and the unit
+/// vector out of the region.
+struct Boundary {
+    double distance;
+    Vec2 outward;
+};
+
+/// A part of the plane, metres. Copies are cheap and share what they were made from. An empty region by
+/// default.
 class Region {
 public:
     Region();
@@ -31,12 +39,18 @@ public:
     /// The boundary belongs to the region.
     [[nodiscard]] bool contains(Vec2 point) const { return distance(point) <= 0.0; }
 
-    /// Signed distance to the true boundary of the whole, metres, negative inside; zero to within rounding of the
-    /// coordinates. Minus (plus) infinity where there is no boundary, in the whole plane (an empty region).
+    /// Signed distance to the true boundary of the whole, metres, negative inside; zero to within rounding of
+    /// the coordinates. Minus (plus) infinity where there is no boundary, in the whole plane (an empty
+    /// region).
     [[nodiscard]] double distance(Vec2 point) const;
 
     /// Unit vector along which `distance` grows fastest; (1, 0) where there is no boundary.
     [[nodiscard]] Vec2 outward(Vec2 point) const;
+
+    /// The walls a disk of radius `reach` (m) about `point` meets, put into `found`: the nearest piece of
+    /// boundary, and every other whose inner side faces the point squarely. In a corner there are two, where
+    /// `distance` knows one.
+    void walls_near(Vec2 point, double reach, std::vector<Boundary>& found) const;
 
     /// Smallest box that holds the region; infinite sides where it is unbounded.
     [[nodiscard]] Box bounds() const;

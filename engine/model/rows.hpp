@@ -51,22 +51,29 @@ TypeOf<member>* address(void* object) {
 template <auto member>
 Row<OwnerOf<member>> row(std::string name, std::string unit, Need need, Range range, std::string meaning) {
     return {{std::move(name), [](void* object) -> Slot { return address<member>(object); }, std::move(unit), need,
-             range, std::move(meaning), by_name_only, {}}};
+             range, std::move(meaning), by_name_only}};
 }
 
 /// A value that is no number, or whose type does not say what it is and needs the slot `As`.
 template <auto member, class As = TypeOf<member>*>
 Row<OwnerOf<member>> row(std::string name, Need need, std::string meaning) {
-    return {{std::move(name), [](void* object) -> Slot { return As{address<member>(object)}; }, {}, need, any,
-             std::move(meaning), by_name_only, {}}};
+    return {{std::move(name),
+             [](void* object) -> Slot { return As{address<member>(object)}; },
+             {},
+             need,
+             any,
+             std::move(meaning),
+             by_name_only}};
 }
 
 /// Two signals under one name.
 template <auto x, auto y>
 Row<OwnerOf<x>> pair(std::string name, std::string unit, std::string meaning) {
     return {{std::move(name),
-             [](void* object) -> Slot { return SignalPairSlot{address<x>(object), address<y>(object)}; },
-             std::move(unit), optional, any, std::move(meaning), by_name_only, {}}};
+             [](void* object) -> Slot {
+                 return SignalPairSlot{address<x>(object), address<y>(object)};
+             },
+             std::move(unit), optional, any, std::move(meaning), by_name_only}};
 }
 
 /// One of `names`, in the order of the enumeration (or false, true).
@@ -75,44 +82,45 @@ Row<OwnerOf<member>> choice(std::string name, std::string meaning) {
     using Type = TypeOf<member>;
     return {{std::move(name),
              [](void* object) -> Slot {
-                 return ChoiceSlot{address<member>(object), &names(),
-                                   [](const void* value) {
-                                       return static_cast<std::size_t>(*static_cast<const Type*>(value));
-                                   },
-                                   [](void* value, std::size_t n) {
-                                       *static_cast<Type*>(value) = static_cast<Type>(n);
-                                   }};
+                 return ChoiceSlot{
+                     address<member>(object), &names(),
+                     [](const void* value) { return static_cast<std::size_t>(*static_cast<const Type*>(value)); },
+                     [](void* value, std::size_t n) { *static_cast<Type*>(value) = static_cast<Type>(n); }};
              },
-             {}, optional, any, std::move(meaning), by_name_only, {}}};
+             {},
+             optional,
+             any,
+             std::move(meaning),
+             by_name_only}};
 }
 
-/// The default of each setting is what the struct's own initialisers give, unless its own range forbids it: such a
-/// value only says that nothing was said.
-template <class T>
-std::string fallback_of(const Setting& setting) {
-    T fresh{};
-    const Slot slot = setting.slot(&fresh);
+/// The default of a setting is what stands in its slot of a fresh struct, unless its own range forbids it: such a value
+/// only says that nothing was said.
+inline std::string fallback_of(const Setting& setting, const Slot& fresh) {
     if (setting.need == required) return {};
-    if (const auto* number = std::get_if<double*>(&slot)) {
+    if (const auto* number = std::get_if<double*>(&fresh)) {
         if (!std::isfinite(**number) || !setting.range.holds(**number)) return {};
     }
-    if (const auto* count = std::get_if<std::uint64_t*>(&slot)) {
+    if (const auto* count = std::get_if<std::uint64_t*>(&fresh)) {
         if (!setting.range.holds(static_cast<double>(**count))) return {};
     }
-    return text_of(slot);
+    return text_of(fresh);
 }
 
 template <class T>
-WordOf<T> word(std::string call, std::string meaning, std::string gives, std::string example,
-               std::vector<Row<T>> table, std::string others = {}) {
+WordOf<T> word(std::string call, std::string meaning, std::string gives, std::string example, std::vector<Row<T>> table,
+               std::string others = {}) {
     WordOf<T> made;
     made.call = std::move(call);
     made.meaning = std::move(meaning);
     made.gives = std::move(gives);
     made.others = std::move(others);
     made.example = std::move(example);
+    T fresh{};
     for (Row<T>& each : table) {
-        each.setting.fallback = fallback_of<T>(each.setting);
+        const Slot slot = each.setting.slot(&fresh);
+        each.setting.kind = kind_of(slot);
+        each.setting.fallback = fallback_of(each.setting, slot);
         made.settings.push_back(std::move(each.setting));
     }
     return made;

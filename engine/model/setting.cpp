@@ -93,22 +93,21 @@ const Setting* Word::find(const std::string& setting) const {
 std::string text_of(double number) { return fmt::format("{}", number); }
 
 std::string text_of(const Slot& slot) {
-    return std::visit(
-        Overloaded{
-            [](const double* v) { return text_of(*v); },
-            [](const std::optional<double>* v) { return *v ? text_of(**v) : std::string{}; },
-            [](const bool* v) { return std::string(*v ? "true" : "false"); },
-            [](const int* v) { return std::to_string(*v); },
-            [](const std::uint64_t* v) { return std::to_string(*v); },
-            [](const std::string* v) { return v->empty() ? std::string{} : quoted(*v); },
-            [](const Vec2* v) { return pair_text(*v); },
-            [](const std::optional<Vec2>* v) { return *v ? pair_text(**v) : std::string{}; },
-            [](const Signal* v) { return signal_text(*v); },
-            [](const std::optional<Signal>* v) { return *v ? signal_text(**v) : std::string{}; },
-            [](const ChoiceSlot& v) { return quoted((*v.names)[v.get(v.value)]); },
-            [](const auto& /*others*/) { return std::string{}; },
-        },
-        slot);
+    return std::visit(Overloaded{
+                          [](double* v) { return text_of(*v); },
+                          [](std::optional<double>* v) { return *v ? text_of(**v) : std::string{}; },
+                          [](bool* v) { return std::string(*v ? "true" : "false"); },
+                          [](int* v) { return std::to_string(*v); },
+                          [](std::uint64_t* v) { return std::to_string(*v); },
+                          [](std::string* v) { return v->empty() ? std::string{} : quoted(*v); },
+                          [](Vec2* v) { return pair_text(*v); },
+                          [](std::optional<Vec2>* v) { return *v ? pair_text(**v) : std::string{}; },
+                          [](Signal* v) { return signal_text(*v); },
+                          [](std::optional<Signal>* v) { return *v ? signal_text(**v) : std::string{}; },
+                          [](const ChoiceSlot& v) { return quoted((*v.names)[v.get(v.value)]); },
+                          [](const auto& /*others*/) { return std::string{}; },
+                      },
+                      slot);
 }
 
 Kind kind_of(const Slot& slot) {

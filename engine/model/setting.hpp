@@ -57,6 +57,12 @@ using Slot = std::variant<double*, std::optional<double>*, bool*, int*, std::uin
                           std::vector<Disk>*, Region*, PackingChoice*, BondChoice*, Selection*, WithinSlot, WhereSlot,
                           MaterialSlot, BodySlot, ChoiceSlot, Callback*>;
 
+/// What a slot takes, in words for people and for lua-language-server.
+struct Kind {
+    std::string words; ///< "a number", "two numbers { x, y }", ...
+    std::string lua;   ///< "number", "number[]", ...
+};
+
 /// What a finite number must keep to, and how that is said.
 struct Range {
     const char* rule;
@@ -77,7 +83,9 @@ struct Setting {
     Range range;
     std::string meaning;
     int position = by_name_only;
-    std::string fallback; ///< the value without the setting, as text; empty where there is none
+    // From the struct's own initialisers, when the word is made:
+    Kind kind = {};
+    std::string fallback = {}; ///< the value without the setting, as text; empty where there is none
 };
 
 /// A noun or verb of the scene language: one call with one table of settings.
@@ -103,11 +111,7 @@ struct WordOf : Word {};
 std::string text_of(const Slot& slot);
 /// A number as short as it can be written without loss.
 std::string text_of(double number);
-/// What a slot takes, in words for people and for lua-language-server.
-struct Kind {
-    std::string words; ///< "a number", "two numbers { x, y }", ...
-    std::string lua;   ///< "number", "number[]", ...
-};
+/// What a slot takes.
 Kind kind_of(const Slot& slot);
 
 } // namespace demlua::model

@@ -29,30 +29,29 @@ std::vector<Row<OwnerOf<selection>>> selecting(std::vector<Row<OwnerOf<selection
 } // namespace
 
 const WordOf<Support>& fix() {
-    static const WordOf<Support> made = word<Support>(
-        "sim:fix",
-        "Holds elements at rest: in every way, or only in the ways that are named true.", "",
-        "sim:fix { beam.bottom, y = true }",
-        selecting<&Support::selection>({row<&Support::x>("x", optional, "along x"),
-                                        row<&Support::y>("y", optional, "along y"),
-                                        row<&Support::rotation>("rotation", optional, "against turning")}));
+    static const WordOf<Support> made =
+        word<Support>("sim:fix", "Holds elements at rest: in every way, or only in the ways that are named true.", "",
+                      "sim:fix { beam.bottom, y = true }",
+                      selecting<&Support::selection>(
+                          {row<&Support::x>("x", optional, "along x"), row<&Support::y>("y", optional, "along y"),
+                           row<&Support::rotation>("rotation", optional, "against turning")}));
     return made;
 }
 
 const WordOf<Motion>& move() {
-    static const WordOf<Motion> made = word<Motion>(
-        "sim:move", "Prescribes how elements move; what is not named stays free.", "a load",
-        "local pull = sim:move { strip.top, velocity = { 0, 0.1 } }",
-        selecting<&Motion::selection>({
-            pair<&Motion::velocity_x, &Motion::velocity_y>("velocity", "m/s", "both components"),
-            row<&Motion::velocity_x>("velocity_x", "m/s", optional, any, "along x"),
-            row<&Motion::velocity_y>("velocity_y", "m/s", optional, any, "along y"),
-            pair<&Motion::displacement_x, &Motion::displacement_y>("displacement", "m", "both components"),
-            row<&Motion::displacement_x>("displacement_x", "m", optional, any,
-                                         "along x, from where the element stands when the motion begins"),
-            row<&Motion::displacement_y>("displacement_y", "m", optional, any, "along y"),
-            row<&Motion::spin>("spin", "rad/s", optional, any, "how fast each element turns"),
-        }));
+    static const WordOf<Motion> made =
+        word<Motion>("sim:move", "Prescribes how elements move; what is not named stays free.", "a load",
+                     "local pull = sim:move { strip.top, velocity = { 0, 0.1 } }",
+                     selecting<&Motion::selection>({
+                         pair<&Motion::velocity_x, &Motion::velocity_y>("velocity", "m/s", "both components"),
+                         row<&Motion::velocity_x>("velocity_x", "m/s", optional, any, "along x"),
+                         row<&Motion::velocity_y>("velocity_y", "m/s", optional, any, "along y"),
+                         pair<&Motion::displacement_x, &Motion::displacement_y>("displacement", "m", "both components"),
+                         row<&Motion::displacement_x>("displacement_x", "m", optional, any,
+                                                      "along x, from where the element stands when the motion begins"),
+                         row<&Motion::displacement_y>("displacement_y", "m", optional, any, "along y"),
+                         row<&Motion::spin>("spin", "rad/s", optional, any, "how fast each element turns"),
+                     }));
     return made;
 }
 
@@ -77,29 +76,28 @@ const WordOf<Traction>& traction() {
 }
 
 const WordOf<RampSaid>& ramp() {
-    static const WordOf<RampSaid> made =
-        word<RampSaid>("dem.ramp", "A value that changes evenly and then stays.", "a signal",
-                       "dem.ramp { to = 4e6, over = 50e-3 }",
-                       {row<&RampSaid::to>("to", "", required, any, "the value at the end"),
-                        row<&RampSaid::over>("over", "s", required, positive, "how long it takes"),
-                        row<&RampSaid::from>("from", "", optional, any, "the value at the start"),
-                        row<&RampSaid::start>("start", "s", optional, any, "when it starts; else at once")});
+    static const WordOf<RampSaid> made = word<RampSaid>(
+        "dem.ramp", "A value that changes evenly and then stays.", "a signal", "dem.ramp { to = 4e6, over = 50e-3 }",
+        {row<&RampSaid::to>("to", "", required, any, "the value at the end"),
+         row<&RampSaid::over>("over", "s", required, positive, "how long it takes"),
+         row<&RampSaid::from>("from", "", optional, any, "the value at the start"),
+         row<&RampSaid::start>("start", "s", optional, any, "when it starts; else at once")});
     return made;
 }
 
 const WordOf<Wall>& wall() {
-    static const WordOf<Wall> made = word<Wall>(
-        "sim:wall", "A rigid line of segments that elements meet from either side.", "a wall",
-        R"(local floor = sim:wall { name = "floor", path = { { -1, 0 }, { 1, 0 } }, friction = 0.5 })",
-        {
-            row<&Wall::name>("name", required, "as results call it: now.wall.NAME"),
-            row<&Wall::path>("path", "m", required, any, "its points in order, at least two"),
-            row<&Wall::friction>("friction", "", optional, non_negative,
-                                 "Coulomb coefficient; without it the element's counts"),
-            pair<&Wall::velocity_x, &Wall::velocity_y>("velocity", "m/s", "how it moves; else it stands"),
-            row<&Wall::velocity_x>("velocity_x", "m/s", optional, any, "along x"),
-            row<&Wall::velocity_y>("velocity_y", "m/s", optional, any, "along y"),
-        });
+    static const WordOf<Wall> made =
+        word<Wall>("sim:wall", "A rigid line of segments that elements meet from either side.", "a wall",
+                   R"(local floor = sim:wall { name = "floor", path = { { -1, 0 }, { 1, 0 } }, friction = 0.5 })",
+                   {
+                       row<&Wall::name>("name", required, "as results call it: now.wall.NAME"),
+                       row<&Wall::path>("path", "m", required, any, "its points in order, at least two"),
+                       row<&Wall::friction>("friction", "", optional, non_negative,
+                                            "Coulomb coefficient; without it the element's counts"),
+                       pair<&Wall::velocity_x, &Wall::velocity_y>("velocity", "m/s", "how it moves; else it stands"),
+                       row<&Wall::velocity_x>("velocity_x", "m/s", optional, any, "along x"),
+                       row<&Wall::velocity_y>("velocity_y", "m/s", optional, any, "along y"),
+                   });
     return made;
 }
 
@@ -140,18 +138,18 @@ const WordOf<Damping>& damping() {
 }
 
 const WordOf<Probe>& probe() {
-    static const WordOf<Probe> made = word<Probe>(
-        "sim:probe", "Writes the mean of a field (of forces and energies: the sum) to the history.", "",
-        R"(sim:probe { beam.bottom, name = "support", measure = "force_y" })",
-        selecting<&Probe::selection>({row<&Probe::name>("name", required, "of the column"),
-                                      row<&Probe::measure>("measure", required, "an element field")}));
+    static const WordOf<Probe> made =
+        word<Probe>("sim:probe", "Writes the mean of a field (of forces and energies: the sum) to the history.", "",
+                    R"(sim:probe { beam.bottom, name = "support", measure = "force_y" })",
+                    selecting<&Probe::selection>({row<&Probe::name>("name", required, "of the column"),
+                                                  row<&Probe::measure>("measure", required, "an element field")}));
     return made;
 }
 
 const WordOf<HistorySaid>& history() {
     static const WordOf<HistorySaid> made = word<HistorySaid>(
-        "sim:history",
-        "Adds columns to the history. What several calls ask adds up and stays in force for later runs.", "",
+        "sim:history", "Adds columns to the history. What several calls ask adds up and stays in force for later runs.",
+        "",
         R"(sim:history { every = 1e-5, speed = function(now) return now.body.shot.velocity.y end, stress = "stress_yy" })",
         {row<&HistorySaid::every>("every", "s", required, positive, "time between rows")},
         "a column: a function of `now` that returns a number, or the name of an element field, read over all elements");
@@ -161,8 +159,8 @@ const WordOf<HistorySaid>& history() {
 const WordOf<OutputSaid>& output() {
     static const WordOf<OutputSaid> made = word<OutputSaid>(
         "sim:output",
-        "Asks for frames of elements and bonds. What several calls ask adds up and stays in force for later runs.",
-        "", "sim:output { every = 1e-4 }",
+        "Asks for frames of elements and bonds. What several calls ask adds up and stays in force for later runs.", "",
+        "sim:output { every = 1e-4 }",
         {row<&OutputSaid::every>("every", "s", required, positive, "time between frames")});
     return made;
 }
@@ -191,16 +189,16 @@ const WordOf<RunSaid>& run() {
 const WordOf<Nothing>& param() {
     static const WordOf<Nothing> made = word<Nothing>(
         "dem.param", "Declares parameters that `--set name=value` can change; gives a table of their values.",
-        "a table", R"(local p = dem.param { impact_speed = { 80, "m/s", help = "straight down" }, supports_on = true })",
-        {}, "a parameter: its default (number, text, true or false), or { default, unit, help = text }");
+        "a table",
+        R"(local p = dem.param { impact_speed = { 80, "m/s", help = "straight down" }, supports_on = true })", {},
+        "a parameter: its default (number, text, true or false), or { default, unit, help = text }");
     return made;
 }
 
 const WordOf<Nothing>& result() {
-    static const WordOf<Nothing> made =
-        word<Nothing>("dem.result", "Publishes values with the run's summary.", "",
-                      "dem.result { final_speed = sim.now.body.shot.velocity.y }", {},
-                      "a result: a number, a text, true or false");
+    static const WordOf<Nothing> made = word<Nothing>("dem.result", "Publishes values with the run's summary.", "",
+                                                      "dem.result { final_speed = sim.now.body.shot.velocity.y }", {},
+                                                      "a result: a number, a text, true or false");
     return made;
 }
 
@@ -208,13 +206,13 @@ const WordOf<Nothing>& result() {
 
 const std::vector<const Word*>& all_words() {
     static const std::vector<const Word*> words{
-        &words::param(),        &words::simulation(), &words::material(), &words::rectangle(), &words::disc(),
-        &words::polygon(),      &words::half_plane(), &words::translated(), &words::rotated(),
-        &words::close_packed(), &words::consolidated(), &words::disks(),  &words::elastic(),   &words::plateau(),
-        &words::body(),         &words::set_velocity(), &words::fix(),    &words::move(),      &words::force(),
-        &words::traction(),     &words::ramp(),       &words::wall(),     &words::wall_move(), &words::notch(),
-        &words::damping(),      &words::probe(),      &words::history(),  &words::output(),    &words::every(),
-        &words::run(),          &words::result()};
+        &words::param(),        &words::simulation(), &words::material(),   &words::rectangle(), &words::disc(),
+        &words::polygon(),      &words::half_plane(), &words::translated(), &words::rotated(),   &words::close_packed(),
+        &words::consolidated(), &words::disks(),      &words::elastic(),    &words::plateau(),   &words::body(),
+        &words::set_velocity(), &words::fix(),        &words::move(),       &words::force(),     &words::traction(),
+        &words::ramp(),         &words::wall(),       &words::wall_move(),  &words::notch(),     &words::damping(),
+        &words::probe(),        &words::history(),    &words::output(),     &words::every(),     &words::run(),
+        &words::result()};
     return words;
 }
 

@@ -40,15 +40,16 @@ const Names& fit_names() {
 
 const WordOf<Scene>& simulation() {
     static const WordOf<Scene> made = word<Scene>(
-        "dem.simulation", "The experiment as a whole; one to a scene. Everything else is said to it.",
-        "a simulation", R"(local sim = dem.simulation { title = "Penetration", plane = "stress", gravity = { 0, -9.81 } })",
+        "dem.simulation", "The experiment as a whole; one to a scene. Everything else is said to it.", "a simulation",
+        R"(local sim = dem.simulation { title = "Penetration", plane = "stress", gravity = { 0, -9.81 } })",
         {
             row<&Scene::title>("title", optional, "what the experiment is called"),
             choice<&Scene::plane, plane_names>("plane", "plane assumption of the elastic stiffness"),
             row<&Scene::thickness>("thickness", "m", optional, positive, "out of the plane"),
             row<&Scene::gravity>("gravity", "m/s^2", optional, any, "acceleration of free fall"),
             choice<&Scene::step_rule, step_rule_names>(
-                "step_rule", R"(critical time step: "bound" is safe for any assembly, "paper" is eq. 19 of Tavarez & Plesha 2007)"),
+                "step_rule",
+                R"(critical time step: "bound" is safe for any assembly, "paper" is eq. 19 of Tavarez & Plesha 2007)"),
             row<&Scene::step_fraction>("step_fraction", "", optional, step_share,
                                        "share of the critical time step that is used"),
             row<&Scene::greatest_move>("greatest_move", "", optional, step_share,
@@ -84,11 +85,11 @@ const WordOf<Material>& material() {
 }
 
 const WordOf<RectangleSaid>& rectangle() {
-    static const WordOf<RectangleSaid> made = word<RectangleSaid>(
-        "dem.rectangle", "A rectangle along the axes.", "a region",
-        "dem.rectangle { at = { 0, 0 }, size = { 1.5, 0.25 } }",
-        {row<&RectangleSaid::at>("at", "m", optional, any, "lower left corner"),
-         row<&RectangleSaid::size>("size", "m", required, positive, "width and height")});
+    static const WordOf<RectangleSaid> made =
+        word<RectangleSaid>("dem.rectangle", "A rectangle along the axes.", "a region",
+                            "dem.rectangle { at = { 0, 0 }, size = { 1.5, 0.25 } }",
+                            {row<&RectangleSaid::at>("at", "m", optional, any, "lower left corner"),
+                             row<&RectangleSaid::size>("size", "m", required, positive, "width and height")});
     return made;
 }
 
@@ -142,7 +143,8 @@ const WordOf<ClosePacking>& close_packed() {
             row<&ClosePacking::radius>("radius", "m", required, positive, "of the elements"),
             choice<&ClosePacking::rows, row_names>("rows", "the way along which elements touch in straight rows"),
             choice<&ClosePacking::fit, fit_names>(
-                "fit", R"("centres": an element stays when its centre lies in the region; "inside": when its whole disk does)"),
+                "fit",
+                R"("centres": an element stays when its centre lies in the region; "inside": when its whole disk does)"),
             row<&ClosePacking::origin>("origin", "m", optional, any,
                                        "a lattice point; else the lattice starts at the region's lower left"),
         });
@@ -151,8 +153,8 @@ const WordOf<ClosePacking>& close_packed() {
 
 const WordOf<Consolidation>& consolidated() {
     static const WordOf<Consolidation> made = word<Consolidation>(
-        "dem.consolidated", "Clusters put down at random and pressed together until they fill the region.",
-        "a packing", "dem.consolidated { cluster = 3, count = 12000, seed = 1 }",
+        "dem.consolidated", "Clusters put down at random and pressed together until they fill the region.", "a packing",
+        "dem.consolidated { cluster = 3, count = 12000, seed = 1 }",
         {
             row<&Consolidation::cluster>("cluster", "", optional, cluster_size, "elements in a cluster"),
             row<&Consolidation::count>("count", "", optional, positive,
@@ -166,11 +168,11 @@ const WordOf<Consolidation>& consolidated() {
 }
 
 const WordOf<DiskSaid>& disk() {
-    static const WordOf<DiskSaid> made = word<DiskSaid>(
-        "disks", "One disk of dem.disks.", "", "{ x = 0, y = 0, radius = 0.01 }",
-        {row<&DiskSaid::x>("x", "m", required, any, "of the centre").at(1),
-         row<&DiskSaid::y>("y", "m", required, any, "of the centre").at(2),
-         row<&DiskSaid::radius>("radius", "m", required, positive, "of the disk").at(3)});
+    static const WordOf<DiskSaid> made =
+        word<DiskSaid>("disks", "One disk of dem.disks.", "", "{ x = 0, y = 0, radius = 0.01 }",
+                       {row<&DiskSaid::x>("x", "m", required, any, "of the centre").at(1),
+                        row<&DiskSaid::y>("y", "m", required, any, "of the centre").at(2),
+                        row<&DiskSaid::radius>("radius", "m", required, positive, "of the disk").at(3)});
     return made;
 }
 
@@ -230,8 +232,7 @@ const WordOf<Body>& body() {
 
 const WordOf<ShiftSaid>& set_velocity() {
     static const WordOf<ShiftSaid> made = word<ShiftSaid>(
-        "body:set_velocity", "Gives every element of the body this velocity, now.", "",
-        "shot:set_velocity { 0, -20 }",
+        "body:set_velocity", "Gives every element of the body this velocity, now.", "", "shot:set_velocity { 0, -20 }",
         {row<&ShiftSaid::x>("x", "m/s", optional, any, "to the right").at(1),
          row<&ShiftSaid::y>("y", "m/s", optional, any, "upwards").at(2)});
     return made;

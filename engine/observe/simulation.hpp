@@ -116,6 +116,7 @@ private:
 
     void add_drives(std::vector<std::size_t>& rows, std::vector<state::Drive> drives);
     void prepare(double shortest_interval);
+    [[nodiscard]] double step_in_flight(double ahead) const;
     RunReport run_until(double end, const std::vector<Watcher>& watchers, const std::atomic<bool>* interrupted);
     void check_energy() const;
     void add_probes(HistoryRow& row) const;

@@ -39,8 +39,7 @@ std::string odd_one(const std::vector<std::string>& names, const std::vector<std
     return {};
 }
 
-[[noreturn]] void complain_of_change(const std::vector<std::string>& header,
-                                     const std::vector<std::string>& now) {
+[[noreturn]] void complain_of_change(const std::vector<std::string>& header, const std::vector<std::string>& now) {
     const std::string added = odd_one(now, header);
     const std::string gone = odd_one(header, now);
     const std::string what = !added.empty()  ? fmt::format("column {} is new", added)

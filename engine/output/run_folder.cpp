@@ -79,13 +79,11 @@ void RunFolder::check() const {
             refuse(path_, "must not be the folder of the scene itself when that is called scene.lua");
         }
         if (holds_run(path_)) {
-            if (!overwrite_)
-                refuse(path_, "holds another run", "choose one with -o, or --overwrite to replace it");
+            if (!overwrite_) refuse(path_, "holds another run", "choose one with -o, or --overwrite to replace it");
             return;
         }
         const std::string name = file_in_the_way(path_);
-        if (!name.empty())
-            refuse(path_, fmt::format("holds {}, which no run wrote", name), "choose one with -o");
+        if (!name.empty()) refuse(path_, fmt::format("holds {}, which no run wrote", name), "choose one with -o");
     } catch (const fs::filesystem_error& error) {
         refuse(path_, "cannot be read: " + error.code().message());
     }

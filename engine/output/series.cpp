@@ -9,8 +9,7 @@
 
 namespace demlua::output {
 
-Series::Series(std::filesystem::path folder, std::string_view name)
-    : folder_(std::move(folder)), name_(name) {}
+Series::Series(std::filesystem::path folder, std::string_view name) : folder_(std::move(folder)), name_(name) {}
 
 void Series::add(double time, const std::string& vtu) {
     std::string file = fmt::format("{}_{:06}.vtu", name_, frames_.size());
@@ -20,16 +19,14 @@ void Series::add(double time, const std::string& vtu) {
 }
 
 void Series::write_indexes() const {
-    std::string pvd =
-        "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
+    std::string pvd = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
     std::string series = "{\n  \"file-series-version\": \"1.0\",\n  \"files\": [";
     const char* separator = "\n";
     for (const Frame& frame : frames_) {
-        fmt::format_to(std::back_inserter(pvd),
-                       "    <DataSet timestep=\"{}\" group=\"\" part=\"0\" file=\"{}\"/>\n", frame.time,
-                       frame.file);
-        fmt::format_to(std::back_inserter(series), "{}    {{\"name\": \"{}\", \"time\": {}}}", separator,
-                       frame.file, frame.time);
+        fmt::format_to(std::back_inserter(pvd), "    <DataSet timestep=\"{}\" group=\"\" part=\"0\" file=\"{}\"/>\n",
+                       frame.time, frame.file);
+        fmt::format_to(std::back_inserter(series), "{}    {{\"name\": \"{}\", \"time\": {}}}", separator, frame.file,
+                       frame.time);
         separator = ",\n";
     }
     pvd += "  </Collection>\n</VTKFile>\n";

@@ -51,9 +51,7 @@ Json packing_json(const model::Consolidation& packing) {
             {"seed", packing.seed}};
 }
 
-Json packing_json(const model::ListedDisks& packing) {
-    return {{"kind", "disks"}, {"count", packing.disks.size()}};
-}
+Json packing_json(const model::ListedDisks& packing) { return {{"kind", "disks"}, {"count", packing.disks.size()}}; }
 
 Json bonds_json(const model::NoBonds& /*none*/) { return {{"law", "none"}}; }
 
@@ -83,16 +81,14 @@ Json body_json(const model::Body& body, const model::Scene& scene, std::size_t c
 Json seeds_json(const model::Scene& scene) {
     Json json = Json::object();
     for (const auto& body : scene.bodies) {
-        if (const auto* drawn = std::get_if<model::Consolidation>(&body.packing))
-            json[body.name] = drawn->seed;
+        if (const auto* drawn = std::get_if<model::Consolidation>(&body.packing)) json[body.name] = drawn->seed;
     }
     return json;
 }
 
 Json counts_json(const model::Scene& scene) {
-    return {{"supports", scene.supports.size()}, {"motions", scene.motions.size()},
-            {"forces", scene.forces.size()},     {"tractions", scene.tractions.size()},
-            {"walls", scene.walls.size()},       {"notches", scene.notches.size()},
+    return {{"supports", scene.supports.size()},   {"motions", scene.motions.size()}, {"forces", scene.forces.size()},
+            {"tractions", scene.tractions.size()}, {"walls", scene.walls.size()},     {"notches", scene.notches.size()},
             {"probes", scene.probes.size()}};
 }
 

@@ -9,8 +9,7 @@
 
 namespace demlua::output {
 
-TextFile::TextFile(std::filesystem::path file)
-    : path_(std::move(file)), handle_(std::fopen(path_.c_str(), "wb")) {
+TextFile::TextFile(std::filesystem::path file) : path_(std::move(file)), handle_(std::fopen(path_.c_str(), "wb")) {
     if (!handle_) fail();
 }
 

@@ -72,16 +72,15 @@ void name_components(vtkDataArray& array, int components) {
     constexpr std::array vector_names{"x", "y", "z"};
     constexpr std::array stress_names{"xx", "yy", "xy"};
     for (std::size_t c = 0; c < 3; ++c) {
-        array.SetComponentName(static_cast<vtkIdType>(c),
-                               (components == 2 ? vector_names : stress_names).at(c));
+        array.SetComponentName(static_cast<vtkIdType>(c), (components == 2 ? vector_names : stress_names).at(c));
     }
 }
 
 template <class T>
 vtkSmartPointer<vtkDataArray> array_of(const Field& field, const std::vector<T>& values, std::size_t rows) {
     if (field.components < 1 || field.components > 3) {
-        throw RunError(fmt::format("field {} has {} components: VTK files take 1, 2 or 3", field.name,
-                                   field.components));
+        throw RunError(
+            fmt::format("field {} has {} components: VTK files take 1, 2 or 3", field.name, field.components));
     }
     if (values.size() != rows * static_cast<std::size_t>(field.components)) {
         throw RunError(fmt::format("field {} has {} numbers for {} rows", field.name, values.size(), rows));
@@ -95,8 +94,7 @@ vtkSmartPointer<vtkDataArray> array_of(const Field& field, const std::vector<T>&
 
 void add_fields(vtkFieldData& data, const std::vector<Field>& fields, std::size_t rows) {
     for (const Field& field : fields) {
-        data.AddArray(
-            std::visit([&](const auto& values) { return array_of(field, values, rows); }, field.values));
+        data.AddArray(std::visit([&](const auto& values) { return array_of(field, values, rows); }, field.values));
     }
 }
 
@@ -112,17 +110,16 @@ void add_points(vtkUnstructuredGrid& grid, const std::vector<Vec2>& positions) {
 
 /// Cells of one kind, `ends` points each. 32 bits an index where they suffice: half the bytes to compress.
 template <class PointOf>
-void add_cells(vtkUnstructuredGrid& grid, int kind, std::size_t count, std::size_t ends,
-               const PointOf& point_of) {
+void add_cells(vtkUnstructuredGrid& grid, int kind, std::size_t count, std::size_t ends, const PointOf& point_of) {
+    const auto rows = static_cast<vtkIdType>(count);
+    const vtkIdType points = rows * static_cast<vtkIdType>(ends);
     vtkNew<vtkIntArray> offsets;
     vtkNew<vtkIntArray> connectivity;
-    offsets->SetNumberOfValues(static_cast<vtkIdType>(count + 1));
-    connectivity->SetNumberOfValues(static_cast<vtkIdType>(count * ends));
-    for (std::size_t k = 0; k <= count; ++k) {
-        offsets->SetValue(static_cast<vtkIdType>(k), static_cast<int>(k * ends));
-    }
-    for (std::size_t k = 0; k < count * ends; ++k) {
-        connectivity->SetValue(static_cast<vtkIdType>(k), static_cast<int>(point_of(k)));
+    offsets->SetNumberOfValues(rows + 1);
+    connectivity->SetNumberOfValues(points);
+    for (vtkIdType k = 0; k <= rows; ++k) offsets->SetValue(k, static_cast<int>(k) * static_cast<int>(ends));
+    for (vtkIdType k = 0; k < points; ++k) {
+        connectivity->SetValue(k, static_cast<int>(point_of(static_cast<std::size_t>(k))));
     }
     vtkNew<vtkCellArray> cells;
     cells->SetData(offsets, connectivity);

@@ -23,8 +23,8 @@ bool is_frame(const auto& job) { return std::holds_alternative<observe::Snapshot
 std::string stamped(std::chrono::system_clock::time_point when, const std::string& text) {
     const auto milliseconds =
         std::chrono::duration_cast<std::chrono::milliseconds>(when.time_since_epoch()).count() % 1000;
-    return fmt::format("{:%Y-%m-%d %H:%M:%S}.{:03}  {}",
-                       fmt::localtime(std::chrono::system_clock::to_time_t(when)), milliseconds, text);
+    return fmt::format("{:%Y-%m-%d %H:%M:%S}.{:03}  {}", fmt::localtime(std::chrono::system_clock::to_time_t(when)),
+                       milliseconds, text);
 }
 
 } // namespace
@@ -56,8 +56,8 @@ void Writer::log(std::chrono::system_clock::time_point when, std::string text) {
 void Writer::push(Job job) {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] {
-        return !failure_.empty() || (queue_.size() < most_jobs_waiting &&
-                                     (!is_frame(job) || frames_waiting_ < most_frames_waiting));
+        return !failure_.empty() ||
+               (queue_.size() < most_jobs_waiting && (!is_frame(job) || frames_waiting_ < most_frames_waiting));
     });
     throw_failure();
     if (is_frame(job)) ++frames_waiting_;

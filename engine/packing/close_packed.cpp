@@ -26,7 +26,8 @@ struct Lattice {
     }
 };
 
-/// Numbers of the lattice lines, a `pitch` apart, from `low` to `high` above the origin, with one to spare at each end.
+/// Numbers of the lattice lines, a `pitch` apart, from `low` to `high` above the origin, with one to spare at
+/// each end.
 struct Lines {
     long first;
     long last;

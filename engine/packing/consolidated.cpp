@@ -1,9 +1,10 @@
 // Rigid clusters of disks, grown inside a region until they press against each other and against its boundary
-// (Tavarez & Plesha 2007, section 4; growing inside fixed walls is pressing walls inward, seen in other units).
+// (Tavarez & Plesha 2007, section 4; growing inside fixed walls is pressing walls inward, seen in other
+// units).
 //
-// Disks that overlap, and disks that reach over the boundary, push apart with a force equal to the overlap. The
-// clusters slide without friction down the energy of all overlaps (FIRE: Bitzek, Koskinen, Gaehler, Moseler & Gumbsch,
-// Phys. Rev. Lett. 97, 170201, 2006) after every small step of growth.
+// Disks that overlap, and disks that reach over the boundary, push apart with a force equal to the overlap.
+// The clusters slide without friction down the energy of all overlaps (FIRE: Bitzek, Koskinen, Gaehler,
+// Moseler & Gumbsch, Phys. Rev. Lett. 97, 170201, 2006) after every small step of growth.
 #include "engine/base/cell_grid.hpp"
 #include "engine/base/problems.hpp"
 #include "engine/base/random.hpp"
@@ -23,32 +24,41 @@ namespace demlua::packing {
 namespace {
 
 // Overlaps are in radii throughout. The figures below were found by trial on packs of 1 to 12,000 elements.
-constexpr double spread_coverage = 0.6;   ///< share of the region that discs around the clusters cover before they turn real
-constexpr double first_size = 0.3;        ///< size at which those discs are put down, as a share
-constexpr double fastest_growth = 0.1;    ///< growth of the radius in one step, as a share of the radius
-constexpr double slowest_growth = 0.005;  ///< the same near the end
-constexpr double growth_to_go = 0.3;      ///< and in between, as a share of what is missing
-constexpr double growing_overlap = 0.05;  ///< the next step may come once no overlap exceeds this,
-constexpr int growing_moves = 10;         ///< and comes after this many moves in any case
-constexpr double final_overlap = 0.03;    ///< the pack is done once no overlap exceeds this
-constexpr double largest_overlap = 0.1;   ///< above this it is no pack
-constexpr int final_moves = 700;          ///< in one attempt at the end
-constexpr int attempts = 12;              ///< with a squeeze before each but the first
-constexpr double squeeze = 0.12;          ///< by which radii are too large for a while, as a share
-constexpr int squeeze_moves = 100;        ///< how long that while is
-constexpr double shrinking = 0.005;       ///< steps of the radius when looking for what does fit, as a share
-constexpr double list_skin = 0.3;         ///< in final radii: what the lists of near disks hold beyond touching
+constexpr double spread_coverage = 0.75; ///< share of the region that circles around the clusters cover first
+constexpr double first_size = 0.3;       ///< size at which those are put down, as a share
+constexpr double fastest_growth = 0.1;   ///< growth of the radius in one step, as a share of the radius
+constexpr double slowest_growth = 0.005; ///< the same near the end
+constexpr double growth_to_go = 0.3;     ///< and in between, as a share of what is missing
+constexpr double growing_overlap = 0.05; ///< the next step may come once no overlap exceeds this,
+constexpr int growing_moves = 10;        ///< and comes after this many moves in any case
+constexpr double final_overlap = 0.03;   ///< the pack is done once no overlap exceeds this
+constexpr double largest_overlap = 0.1;  ///< above this it is no pack
+constexpr int final_moves = 350;         ///< in one attempt at the end
+constexpr int attempts = 24;             ///< with a squeeze and a shake before each but the first
+constexpr double squeeze = 0.12;         ///< by which radii are too large for a while, as a share
+constexpr double shake = 0.5;            ///< farthest that a shake throws a cluster along each axis
+constexpr double fading = 0.9;           ///< strength of a squeeze and shake over that of the one before
+constexpr int squeeze_moves = 100;       ///< how long a squeeze lasts
+constexpr double shrinking = 0.005;      ///< steps of the radius when looking for what does fit, as a share
+constexpr int most_shrinks = 100;        ///< after which the search ends
+constexpr double list_skin = 0.3;        ///< in final radii: what the lists of near disks hold beyond touching
 
 /// Disk centres of a cluster about its middle, in radii; every disk touches its neighbours.
 std::vector<Vec2> cluster_shape(int disks) {
     constexpr double root = std::numbers::sqrt3;
     switch (disks) {
-    case 1: return {{0.0, 0.0}};
-    case 2: return {{-1.0, 0.0}, {1.0, 0.0}};
-    case 3: return {{-1.0, -1.0 / root}, {1.0, -1.0 / root}, {0.0, 2.0 / root}};
-    case 4: return {{-1.0, 0.0}, {1.0, 0.0}, {0.0, root}, {0.0, -root}};
-    case 7: return {{0.0, 0.0}, {2.0, 0.0}, {1.0, root}, {-1.0, root}, {-2.0, 0.0}, {-1.0, -root}, {1.0, -root}};
-    default: break;
+    case 1:
+        return {{0.0, 0.0}};
+    case 2:
+        return {{-1.0, 0.0}, {1.0, 0.0}};
+    case 3:
+        return {{-1.0, -1.0 / root}, {1.0, -1.0 / root}, {0.0, 2.0 / root}};
+    case 4:
+        return {{-1.0, 0.0}, {1.0, 0.0}, {0.0, root}, {0.0, -root}};
+    case 7:
+        return {{0.0, 0.0}, {2.0, 0.0}, {1.0, root}, {-1.0, root}, {-2.0, 0.0}, {-1.0, -root}, {1.0, -root}};
+    default:
+        break;
     }
     throw RunError("a consolidated pack is made of clusters of 1, 2, 3, 4 or 7 elements");
 }
@@ -75,10 +85,10 @@ std::size_t cluster_count(double area, const Consolidation& settings) {
 }
 
 /// Streams of random numbers.
-enum Stream : std::uint64_t { offsets, across, upwards, angles };
+enum Stream : std::uint64_t { offsets, across, upwards, angles, shakes };
 
-/// Where a cluster is, or how fast it moves, or what pushes it: x, y (m) and the turn as an arc length (m) at the
-/// radius of gyration, so that all three weigh the same.
+/// Where a cluster is, or how fast it moves, or what pushes it: x, y (m) and the turn as an arc length (m) at
+/// the radius of gyration, so that all three weigh the same.
 struct Motion {
     Vec2 shift;
     double turn = 0.0;
@@ -100,10 +110,18 @@ public:
     [[nodiscard]] double radius() const { return radius_; }
     [[nodiscard]] const std::vector<Vec2>& disks() const { return disks_; }
 
-    /// Puts the clusters with their middles at `middles`, turned at random.
+    /// Puts clusters of disks of `radius` (m) with their middles at `middles`, turned at random.
     void put_down(const std::vector<Vec2>& middles, double radius, std::uint64_t seed);
+
+    /// Gives the disks another radius, m; clusters keep their middles and grow or shrink about them.
     void grow_to(double radius);
-    /// Moves until no overlap exceeds `overlap` (in radii), at most `moves` times; returns the largest left (in radii).
+
+    /// Throws every cluster up to `reach` (m) along each axis, and as far along its turn; `round` counts the
+    /// shakes.
+    void throw_about(double reach, std::uint64_t seed, std::uint64_t round);
+
+    /// Moves until no overlap exceeds `overlap` (in radii), at most `moves` times; returns the largest left
+    /// (in radii).
     double settle(double overlap, int moves);
 
 private:
@@ -130,11 +148,12 @@ private:
     std::vector<Motion> speeds_;
     std::vector<Motion> forces_;
     std::vector<Vec2> disks_;
-    std::vector<Vec2> listed_;       ///< the disks when the lists were made
-    double listed_radius_ = -1.0;    ///< the radius then; negative before the first time
-    std::vector<Vec2> pushes_;       ///< force on each disk
-    std::vector<Pair> pairs_;        ///< disks of different clusters that may touch
-    std::vector<Index> rim_;         ///< disks that may touch the boundary
+    std::vector<Vec2> listed_;           ///< the disks when the lists were made
+    double listed_radius_ = -1.0;        ///< the radius then; negative before the first time
+    std::vector<Vec2> pushes_;           ///< force on each disk
+    std::vector<Pair> pairs_;            ///< disks of different clusters that may touch
+    std::vector<Index> rim_;             ///< disks that may touch the boundary
+    std::vector<model::Boundary> walls_; ///< scratch: those one disk meets
     CellGrid grid_;
     double time_step_ = 0.0;
     double mixing_ = 0.0;
@@ -163,6 +182,16 @@ void Growth::grow_to(double radius) {
     radius_ = radius;
     set_disks();
     time_step_ = 0.0;
+}
+
+void Growth::throw_about(double reach, std::uint64_t seed, std::uint64_t round) {
+    const std::uint64_t stream = shakes + 3 * round;
+    for (std::size_t k = 0; k < places_.size(); ++k) {
+        const Vec2 share{uniform(seed, stream, k) - 0.5, uniform(seed, stream + 1, k) - 0.5};
+        places_[k].shift += 2.0 * reach * share;
+        places_[k].turn += 2.0 * reach * (uniform(seed, stream + 2, k) - 0.5);
+    }
+    set_disks();
 }
 
 bool Growth::lists_hold() const {
@@ -199,9 +228,10 @@ void Growth::refresh_lists() {
 double Growth::push() {
     refresh_lists();
     std::fill(pushes_.begin(), pushes_.end(), Vec2{});
-    const double largest = std::max(push_pairs(), push_walls());
+    const double pairs = push_pairs(); // in this order on every compiler, for forces add up in it
+    const double walls = push_walls();
     gather_forces();
-    return largest;
+    return std::max(pairs, walls);
 }
 
 double Growth::push_pairs() {
@@ -221,13 +251,16 @@ double Growth::push_pairs() {
     return largest;
 }
 
+/// A wall pushes like the mirror image of the disk.
 double Growth::push_walls() {
     double largest = 0.0;
     for (const Index k : rim_) {
-        const double overlap = radius_ + region_.distance(disks_[k]);
-        if (overlap <= 0.0) continue;
-        largest = std::max(largest, overlap);
-        pushes_[k] -= overlap * region_.outward(disks_[k]);
+        region_.walls_near(disks_[k], radius_, walls_);
+        for (const model::Boundary& wall : walls_) {
+            const double overlap = radius_ + wall.distance;
+            largest = std::max(largest, overlap);
+            pushes_[k] -= (2.0 * overlap) * wall.outward;
+        }
     }
     return largest;
 }
@@ -249,7 +282,7 @@ void Growth::gather_forces() {
 /// One move of FIRE. The unit of time is that of a disk of unit mass on a spring of unit stiffness.
 void Growth::step() {
     constexpr double first_step = 0.2;
-    constexpr double longest_step = 0.7;
+    constexpr double longest_step = 0.6;
     constexpr double first_mixing = 0.1;
     constexpr int patience = 5;
 
@@ -293,9 +326,9 @@ double Growth::settle(double overlap, int moves) {
     return largest / radius_;
 }
 
-/// Places one after another, spread evenly over a region and yet at random: every part of the region gets its share,
-/// so that no part ends up with more than fits. They follow the R2 sequence (Roberts 2018: steps by the powers of the
-/// root of x^3 = x + 1), each shaken by about the distance of neighbours.
+/// Places one after another, spread evenly over a region and yet at random: every part of the region gets its
+/// share, so that no part ends up with more than fits. They follow the R2 sequence (Roberts 2018: steps by
+/// the powers of the root of x^3 = x + 1), each shaken by up to half the distance of neighbours.
 class Sprinkler {
 public:
     Sprinkler(const model::Region& region, double area, std::size_t count, std::uint64_t seed)
@@ -323,7 +356,7 @@ private:
         const Vec2 even{std::fmod(uniform(seed_, offsets, 0) + n * stride.x, 1.0),
                         std::fmod(uniform(seed_, offsets, 1) + n * stride.y, 1.0)};
         const Vec2 shaken{uniform(seed_, across, number) - 0.5, uniform(seed_, upwards, number) - 0.5};
-        return box_.lower + Vec2{even.x * box_.size().x, even.y * box_.size().y} + 2.0 * shake_ * shaken;
+        return box_.lower + Vec2{even.x * box_.size().x, even.y * box_.size().y} + shake_ * shaken;
     }
 
     const model::Region& region_;
@@ -352,8 +385,8 @@ void grow(Growth& pack, double radius) {
     }
 }
 
-/// Middles for clusters, none nearer to another or to the boundary than the circles around them, which have the
-/// returned radius (m). Growing clusters at once would leave some locked into each other.
+/// Middles for clusters, none nearer to another or to the boundary than the circles around them, which have
+/// the returned radius (m). Growing clusters at once would leave some locked into each other.
 struct Middles {
     std::vector<Vec2> at;
     double circle;
@@ -370,12 +403,14 @@ Middles spread(const model::Region& region, double area, std::size_t count, doub
     return {circles.disks(), circle};
 }
 
-/// Settles a pack grown to `radius` and returns the largest overlap left. A pack that has jammed is squeezed and let
-/// go, which rearranges it and keeps it from ordering.
-double press(Growth& pack, double radius) {
+/// Settles a pack grown to `radius` and returns the largest overlap left. A pack that has jammed is squeezed,
+/// shaken and let go, which rearranges it and keeps it from ordering.
+double press(Growth& pack, double radius, std::uint64_t seed) {
     double left = pack.settle(final_overlap, final_moves);
-    for (int k = 1; k < attempts && left > final_overlap; ++k) {
-        pack.grow_to((1.0 + squeeze) * radius);
+    double strength = 1.0;
+    for (std::uint64_t k = 1; k < attempts && left > final_overlap; ++k, strength *= fading) {
+        pack.grow_to((1.0 + strength * squeeze) * radius);
+        pack.throw_about(strength * shake * radius, seed, k);
         pack.settle(0.0, squeeze_moves);
         pack.grow_to(radius);
         left = pack.settle(final_overlap, final_moves);
@@ -386,7 +421,7 @@ double press(Growth& pack, double radius) {
 /// Shrinks a pack until it fits and says what it came to.
 [[noreturn]] void report_jam(Growth& pack, double left, double solid_fraction) {
     const double wanted = pack.radius();
-    while (pack.settle(growing_overlap, final_moves) > growing_overlap) {
+    for (int k = 0; k < most_shrinks && pack.settle(growing_overlap, final_moves) > growing_overlap; ++k) {
         pack.grow_to((1.0 - shrinking) * pack.radius());
     }
     const double share = pack.radius() / wanted;
@@ -455,7 +490,7 @@ Packing consolidated(const model::Region& region, const Consolidation& settings)
     Growth pack(region, shape, clusters, radius);
     pack.put_down(middles.at, middles.circle / around, settings.seed);
     grow(pack, radius);
-    const double left = press(pack, radius);
+    const double left = press(pack, radius, settings.seed);
     if (left > largest_overlap) report_jam(pack, left, settings.solid_fraction);
     return numbered(pack.disks(), shape.size(), region.bounds(), radius, area);
 }

@@ -11,9 +11,9 @@
 
 namespace demlua::packing {
 
-/// Element centres (m) and radii (m), all of one length. `cluster[k]` numbers the cluster an element came in, from zero.
-/// `cell_area` is the part of the plane each element stands for (m^2): its lattice cell, or the region's area shared out
-/// in proportion to radius squared.
+/// Element centres (m) and radii (m), all of one length. `cluster[k]` numbers the cluster an element came in,
+/// from zero. `cell_area` is the part of the plane each element stands for (m^2): its lattice cell, or the
+/// region's area shared out in proportion to radius squared.
 struct Packing {
     std::vector<Vec2> centre;
     std::vector<double> radius;
@@ -25,19 +25,22 @@ using model::Consolidation;
 using model::Fit;
 using model::Rows;
 
-/// Hexagonal lattice, every element touching six others; rows stand 2R and sqrt(3) R apart.
-/// A lattice point lies at `origin`; without one, at the lower left corner of the region's box (Fit::centres) or R away
-/// from it along both axes (Fit::inside). Elements are numbered row by row. Cell area 2 sqrt(3) R^2.
-/// Boundaries count as inside to 1e-9 R. Returns an empty packing when nothing fits.
+/// Hexagonal lattice, every element touching six others; rows stand 2R and sqrt(3) R apart. A lattice point
+/// lies at `origin`; without one, at the lower left corner of the region's box (Fit::centres) or R away from
+/// it along both axes (Fit::inside). Elements are numbered row by row. Cell area 2 sqrt(3) R^2. Boundaries
+/// count as inside to 1e-9 R. Returns an empty packing when nothing fits.
 Packing close_packed(const model::Region& region, double radius, Rows rows, Fit fit, std::optional<Vec2> origin);
 
 /// Element radius (m) that a consolidated pack of `region` will have: sqrt(solid_fraction area / (pi count)).
 double consolidated_radius(const model::Region& region, const Consolidation& settings);
 
-/// Clusters put down at random and at random angles, grown to their size and pressed against each other and against
-/// the region's boundary until no overlap exceeds a few hundredths of a radius. Same seed, same pack.
-/// Every disk lies inside the region to within that overlap. Elements are numbered by position (bands along the
-/// longer side of the box) so that neighbours stand close in memory; clusters are numbered by their first element.
+/// Clusters put down at random and at random angles, grown to their size and pressed against each other and
+/// against the region's boundary until no overlap exceeds a few hundredths of a radius. Same seed, same pack.
+/// Every disk lies inside the region to within that overlap. Elements are numbered by position (bands along
+/// the longer side of the box) so that neighbours stand close in memory; clusters are numbered by their first
+/// element. Large packs reach a solid fraction of about 0.84 (clusters of 1 and 2), 0.83 (3), 0.79 (4), 0.77
+/// (7), small ones less, because walls take room. Throws RunError where more is asked, saying what fits; an
+/// empty region, or one too small for one cluster of `radius`, gives an empty packing.
 Packing consolidated(const model::Region& region, const Consolidation& settings);
 
 } // namespace demlua::packing

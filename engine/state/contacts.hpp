@@ -61,7 +61,7 @@ struct Wall {
     Vec2 force;        ///< of the elements on the wall, N
 };
 
-/// A part of a wall an element can touch: segment k (even: 2k) between points k and k+1, or point k (odd: 2k+1).
+/// A part of a wall an element can touch: point k of its path (2k), or the segment from there to the next (2k + 1).
 /// Rows in rising order of (wall, element, part).
 struct WallContacts {
     Column<Index> wall, element, part;

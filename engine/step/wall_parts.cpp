@@ -21,12 +21,12 @@ WallGap gap_from(Vec2 nearest, Vec2 centre, bool meets) {
 double distance_to_part(const state::Wall& wall, std::size_t part, Vec2 centre) {
     const std::size_t k = part / 2;
     const Vec2 a = wall.path[k] + wall.offset;
-    if (part % 2 == 1) return norm(centre - a);
+    if (part % 2 == 0) return norm(centre - a);
     const Vec2 b = wall.path[k + 1] + wall.offset;
     return norm(centre - (a + std::clamp(foot(a, b, centre), 0.0, 1.0) * (b - a)));
 }
 
-std::size_t last_part(const state::Wall& wall) { return 2 * (wall.path.size() - 1) + 1; }
+std::size_t part_count(const state::Wall& wall) { return 2 * wall.path.size() - 1; }
 
 law::Coulomb::Params wall_rule(const state::State& state, const state::Wall& wall, std::size_t element) {
     const state::MaterialFacts& facts = state.materials[state.bodies[state.elements.body[element]].material];
@@ -57,7 +57,7 @@ auto key(const state::WallContacts& contacts, std::size_t row) {
 WallGap wall_gap(const state::Wall& wall, std::size_t part, Vec2 centre) {
     const std::size_t k = part / 2;
     const Vec2 a = wall.path[k] + wall.offset;
-    if (part % 2 == 0) {
+    if (part % 2 == 1) {
         const Vec2 b = wall.path[k + 1] + wall.offset;
         const double along = foot(a, b, centre);
         return gap_from(a + along * (b - a), centre, along > 0.0 && along < 1.0);
@@ -80,7 +80,7 @@ void refresh_wall_contacts(state::State& state, double skin) {
         const state::Wall& wall = state.walls[w];
         for (std::size_t e = 0; e < state.elements.size(); ++e) {
             const double reach = state.elements.radius[e] + skin;
-            for (std::size_t part = 0; part < last_part(wall) + 1; ++part) {
+            for (std::size_t part = 0; part < part_count(wall); ++part) {
                 if (distance_to_part(wall, part, state.elements.position(e)) > reach) continue;
                 const auto wanted = std::make_tuple(static_cast<Index>(w), static_cast<Index>(e),
                                                     static_cast<Index>(part));

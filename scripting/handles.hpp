@@ -1,0 +1,30 @@
+// Shared answers of handles and of `now`.
+#pragma once
+
+#include "scripting/context.hpp"
+
+#include <cstddef>
+#include <string>
+
+namespace demlua::scripting {
+
+/// The key asked for in an __index function, as text.
+std::string asked_key(lua_State* L);
+/// Throws the LuaFailure of an unknown field, suggesting one of `known`.
+[[noreturn]] void unknown_field(const std::string& of, const std::string& key, const std::vector<std::string>& known);
+
+/// Motion of a body as a strict table; or one field of it, when there is such a field (else pushes nothing).
+void push_body_motion(lua_State* L, std::size_t body);
+bool push_body_field(lua_State* L, std::size_t body, const std::string& field);
+std::vector<std::string> body_field_names();
+
+/// { x, y } of the force on a wall.
+void push_wall_force(lua_State* L, std::size_t wall);
+void push_vector(lua_State* L, Vec2 vector);
+
+/// object:mean(field), object:sum(field), object:field(field) of a body or side; now:mean(field, selection), ...
+int read_mean(lua_State* L);
+int read_sum(lua_State* L);
+int read_field(lua_State* L);
+
+} // namespace demlua::scripting

@@ -1,0 +1,25 @@
+// What `now` can be asked, as rows: name, unit, meaning, where it comes from. The reader and the manual follow from them.
+#pragma once
+
+#include "engine/observe/simulation.hpp"
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace demlua::scripting {
+
+template <class Source>
+struct Reading {
+    std::string name;
+    std::string unit;
+    std::string meaning;
+    std::variant<double (*)(const Source&), Vec2 (*)(const Source&)> get;
+};
+
+const std::vector<Reading<observe::Simulation>>& now_readings();
+const std::vector<Reading<observe::Ledger>>& ledger_readings();
+const std::vector<Reading<observe::Momentum>>& momentum_readings();
+const std::vector<Reading<observe::BodyMotion>>& body_readings();
+
+} // namespace demlua::scripting

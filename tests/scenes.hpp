@@ -1,0 +1,70 @@
+// Small scenes that several tests start from.
+#pragma once
+
+#include "engine/model/scene.hpp"
+#include "engine/observe/simulation.hpp"
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace demlua::test {
+
+/// Concrete of Tavarez & Plesha 2007, section 8.
+inline model::Material concrete() {
+    model::Material material;
+    material.name = "concrete";
+    material.youngs_modulus = 29.7e9;
+    material.poissons_ratio = 0.3;
+    material.density = 2400.0;
+    material.tensile_strength = 3.44e6;
+    material.fracture_toughness = 1.0e6;
+    material.friction = 0.5;
+    return material;
+}
+
+inline model::Scene scene_of(const model::Material& material) {
+    model::Scene scene;
+    scene.materials.push_back(material);
+    return scene;
+}
+
+/// A body of disks put down one by one.
+inline model::Body disks(const std::string& name, const std::vector<model::Disk>& list, const model::BondChoice& bonds) {
+    model::Body body;
+    body.name = name;
+    body.packing = model::ListedDisks{list};
+    body.bonds = bonds;
+    return body;
+}
+
+/// A close-packed rectangle with its lower left corner at `at`, rows horizontal, disks inside.
+inline model::Body block(const std::string& name, Vec2 at, Vec2 size, double radius, const model::BondChoice& bonds) {
+    model::Body body;
+    body.name = name;
+    body.region = model::Region::rectangle(at, size);
+    body.packing = model::ClosePacking{radius, model::Rows::horizontal, model::Fit::inside, std::nullopt};
+    body.bonds = bonds;
+    return body;
+}
+
+inline model::Selection all_of(std::size_t body) {
+    model::Selection selection;
+    selection.body = body;
+    return selection;
+}
+
+inline model::Selection side_of(std::size_t body, model::Side side) {
+    model::Selection selection = all_of(body);
+    selection.side = side;
+    return selection;
+}
+
+/// Looks at the simulation every `every` seconds.
+template <class Look>
+observe::Watcher watching(double every, Look look) {
+    return {every, std::move(look)};
+}
+
+} // namespace demlua::test

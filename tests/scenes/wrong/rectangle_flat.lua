@@ -1,0 +1,3 @@
+local dem = require "dem"
+dem.rectangle { size = { 1, 0 } }
+-->:2: rectangle.size = { 1, 0 }: must be positive

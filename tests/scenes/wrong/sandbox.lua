@@ -1,0 +1,3 @@
+local dem = require "dem"
+local lfs = require "lfs"
+-->:2: require knows "dem" only, not "lfs"; another scene is run with dem.include "file" { ... }

@@ -1,0 +1,6 @@
+local dem = require "dem"
+local concrete = dem.material { name = "concrete", youngs_modulus = 30e9, poissons_ratio = 0.2, density = 2400 }
+local sim = dem.simulation {}
+local beam = sim:body { name = "beam", material = concrete, region = dem.rectangle { size = { 1, 1 } }, packing = dem.close_packed { radius = 0.1 } }
+sim:traction { beam, stress_y = 1e6 }
+-->:5: traction.selection: must name a side of a body, such as plate.top

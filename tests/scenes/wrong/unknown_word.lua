@@ -1,0 +1,3 @@
+local dem = require "dem"
+dem.rectangel { size = { 1, 1 } }
+-->:2: unknown word of dem "rectangel"; did you mean "rectangle"?
