@@ -1,5 +1,5 @@
 -- Question: how does a steel projectile slow down in a concrete beam, and how does the beam break?
--- Source:   F. A. Tavarez, M. E. Plesha, Int. J. Numer. Meth. Engng 70 (2007) 379-404, section 9, fig. 21. The paper gives
+-- Source:   F. A. Tavarez, M. E. Plesha, Int. J. Numer. Meth. Engng 70 (2007) 379-404, section 9, fig. 17. The paper gives
 --           neither speed nor sizes nor materials; those below are this project's own.
 -- See:      the nose drives a wedge through the beam, cracks run to the faces, and two halves part with rubble between.
 --           Elements by speed, bonds by state, in elements.pvd and bonds.pvd; speed and nose depth in history.csv.
@@ -13,7 +13,7 @@ local p = dem.param {
   cluster          = { 3, help = "elements in a cluster of the beam's pack" },
   seed             = { 1, help = "of the beam's pack" },
   rate_factor      = { 3, help = "constant strain-rate factor on the concrete's strength and fracture energy" },
-  break_in_shear   = { false, help = "bonds also break when plastic slip has spent the fracture energy" },
+  break_in_shear   = { true, help = "bonds also break when plastic slip has spent the fracture energy; false: the printed law" },
   rigid_projectile = { false, help = "the projectile moves as one piece" },
   supports_on      = { true, help = "hold the lower corners of the beam" },
 

@@ -1,6 +1,7 @@
 // The manual of the scene language, for the terminal and as Markdown, from the rows of settings and readings.
 #include "engine/model/check.hpp"
 #include "engine/model/settings.hpp"
+#include "engine/observe/fields.hpp"
 #include "scripting/readings.hpp"
 #include "scripting/script.hpp"
 
@@ -89,6 +90,19 @@ std::string markdown_of(const std::string& heading, const std::vector<Reading<So
     return text + "\n";
 }
 
+std::string markdown_of_fields() {
+    std::string text =
+        "### Element fields\n\nA field of several components is measured by one: `velocity_x`, `stress_yy`. "
+        "Probes and columns give the sum of those marked so, the mean of the others.\n\n"
+        "| field | components | unit | meaning |\n|---|---|---|---|\n";
+    for (const observe::ElementField& field : observe::element_fields()) {
+        const char* const combined = field.combine == observe::Combine::sum ? "; sum" : "";
+        text += fmt::format("| `{}` | {} | {} | {}{} |\n", field.name, fmt::join(component_names(field), ", "),
+                            field.unit, field.meaning, combined);
+    }
+    return text + "\n";
+}
+
 constexpr const char* preface = R"(# The scene language
 
 Generated from the rows of settings in `engine/model/settings_*.cpp`; do not edit.
@@ -150,6 +164,7 @@ std::string words_as_markdown() {
             "|\n\n";
     text += markdown_of("`now.momentum`", momentum_readings());
     text += markdown_of("`now.ledger`", ledger_readings());
+    text += markdown_of_fields();
     text.pop_back();
     return text;
 }

@@ -12,9 +12,9 @@ namespace demlua::scripting {
 
 namespace {
 
-/// A bonded element on a core of a few years ago, contacts and output included: good for the order of magnitude only,
-/// the progress line measures.
-constexpr double typical_cost = 50e-9; // s per element and step
+/// A bonded element on one core, contacts and output included: good for the order of magnitude only, the progress line
+/// measures.
+constexpr double typical_cost = 200e-9; // s per element and step
 /// A thread with fewer elements than this spends its gain on waiting for the others.
 constexpr double elements_worth_a_thread = 1500.0;
 /// Shares below this are left out of the energy line.

@@ -82,7 +82,7 @@ says bonded_pair.out/summary.json '"state": "finished"'
 says bonded_pair.out/run.log "open it in ParaView"
 [[ -z $(find . -name '*.unfinished') ]] || fail "unfinished files are left"
 
-cp -r bonded_pair.out before
+rm -rf before && cp -r bonded_pair.out before
 expect 2 "$small"
 says err.txt "output folder = bonded_pair.out: holds another run; choose one with -o, or --overwrite"
 diff -r before bonded_pair.out >/dev/null || fail "a refused run changed the folder"
@@ -115,7 +115,7 @@ there failing.out/elements_000000.vtu
 
 # ---- Ctrl-C: the last frame is written, the summary says so ----------------------------------------
 for signal in INT TERM; do
-  sed -E 's/duration *= *[^,} ]+/duration = 1e6/' "$small" >endless.lua
+  sed -E 's/^(local [a-z]+ = )?sim:run.*/\1sim:run { duration = 1e3 }/' "$small" >endless.lua
   "$demlua" endless.lua --overwrite >out.txt 2>err.txt &
   process=$!
   wait_for endless.out/elements.pvd

@@ -339,7 +339,7 @@ TEST_CASE("consolidated packs are made of clusters of five kinds", "[packing]") 
 
 TEST_CASE("consolidated packs go down to one cluster", "[packing]") {
     const Region square = Region::rectangle({0.0, 0.0}, {1.0, 1.0});
-    for (const std::size_t count : {1, 3, 4, 7, 12, 30}) {
+    for (const std::size_t count : {1U, 3U, 4U, 7U, 12U, 30U}) {
         const Packing packing = consolidated(square, settings_for(count, 3, 0.5, 2));
         CHECK(packing.centre.size() == (count + 2) / 3 * 3);
         CHECK(overlaps(packing, square).pairs < 0.05);

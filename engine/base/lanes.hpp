@@ -13,16 +13,14 @@ constexpr double clamped(double value, double limit) { return larger(-limit, sma
 inline double magnitude(double value) { return std::fabs(value); }
 inline double square_root(double value) { return std::sqrt(value); }
 
-/// Angle of the vector (cosine, sine), rad. Small angles, nearly all there are between bonds, by a series whose first term
-/// left out is below one unit in the last place.
+/// Angle of the vector (cosine, sine), rad. Small angles, nearly all there are between bonds, by the series of the
+/// arctangent, whose first term left out is below one unit in the last place.
 inline double angle_of(double cosine, double sine) {
-    constexpr double series_limit = 0.1;
+    constexpr double series_limit = 0.02;
     if (!(std::fabs(sine) < series_limit * cosine)) return std::atan2(sine, cosine);
     const double t = sine / cosine;
     const double q = t * t;
-    double sum = 1.0 / 15.0;
-    for (const double divisor : {13.0, 11.0, 9.0, 7.0, 5.0, 3.0, 1.0}) sum = 1.0 / divisor - q * sum;
-    return t * sum;
+    return t * (1.0 - q * (1.0 / 3.0 - q * (1.0 / 5.0 - q * (1.0 / 7.0 - q * (1.0 / 9.0)))));
 }
 
 /// Nearest whole number, ties to even, for |value| below 2^51.

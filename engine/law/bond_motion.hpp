@@ -22,7 +22,7 @@ namespace demlua::law {
 
 template <class T>
 struct BondMotion {
-    T length;          ///< d, m
+    T inverse_length;  ///< 1/d, 1/m
     Vector2<T> normal; ///< n
     T stretch;         ///< e, m
     T shear;           ///< ut, m
@@ -39,7 +39,8 @@ BondMotion<T> bond_motion(Vector2<T> D, T l, Vector2<T> du, T turn) {
     const T phi = angle_of(l * l + along, cross(D, du));
     const T shear_angle = phi - turn;
     const T revolutions = nearest_whole(shear_angle * (0.5 / std::numbers::pi));
-    return {d, span / d, e, l * (shear_angle - revolutions * (2.0 * std::numbers::pi))};
+    const T inverse_d = 1.0 / d;
+    return {inverse_d, inverse_d * span, e, l * (shear_angle - revolutions * (2.0 * std::numbers::pi))};
 }
 
 /// Forces in a bond: tension and positive shear stretch are positive, N.

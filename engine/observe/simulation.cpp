@@ -229,6 +229,7 @@ RunReport Simulation::run_until(double end, const std::vector<Watcher>& watchers
     const double tolerance = 1e-6 * state_->dt;
     std::vector<std::uint64_t> looked(watchers.size(), 0); // instants each watcher has had so far
     inside_->stopping = false;
+    inside_->stop_reason.clear();
     RunReport report;
     while (true) {
         const bool asked_to_end = interrupted != nullptr && interrupted->load(std::memory_order_relaxed);

@@ -23,7 +23,8 @@ namespace demlua::observe {
 class Simulation;
 
 /// Something that looks at the simulation between steps: at the start of a run, then every `every` seconds (at the first
-/// step that reaches the time), and at its end. `act` may read, change loads and velocities, or call stop().
+/// step that reaches the time; every step when `every` is zero), and at its end. The time step is made to fit the shortest
+/// interval where that costs little. `act` may read, change loads and velocities, or call stop().
 struct Watcher {
     double every = 0.0; ///< s
     std::function<void(Simulation&)> act;

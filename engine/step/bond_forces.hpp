@@ -29,7 +29,7 @@ law::BondForce<double> rates_of(const state::BondSet<Law>& bonds, const state::E
     const double s = bonds.share_i[k];
     const Vec2 v = elements.velocity(j) - elements.velocity(i);
     const double l = bonds.length[k];
-    const double turning = dot(v, turned_left(motion.normal)) / motion.length;
+    const double turning = dot(v, turned_left(motion.normal)) * motion.inverse_length;
     return {dot(v, motion.normal), l * (turning - s * elements.spin[i] - (1.0 - s) * elements.spin[j])};
 }
 
@@ -68,7 +68,7 @@ void bond_forces(state::BondSet<Law>& bonds, const state::Elements& elements, do
             }
         }
         const double couple = force.shear * bonds.length[k];
-        const Vec2 f = force.normal * motion.normal + (couple / motion.length) * turned_left(motion.normal);
+        const Vec2 f = force.normal * motion.normal + (couple * motion.inverse_length) * turned_left(motion.normal);
         bonds.fx[k] = f.x;
         bonds.fy[k] = f.y;
         bonds.moment_i[k] = couple * bonds.share_i[k];

@@ -38,9 +38,9 @@ void settle_broken(state::State& state, state::BondSet<Law>& bonds, const std::v
             const double rate = rates_of(bonds, elements, k, motion).shear;
             const double touch = elements.radius[i] + elements.radius[j];
             const double unstressed = bonds.length[k] + history.stretch;
-            const bool in_tension = motion.length > unstressed;
-            const double reference = in_tension ? std::min(unstressed, touch) : unstressed;
-            const double overlap = reference - motion.length;
+            const double length = bonds.length[k] + motion.stretch;
+            const double reference = length > unstressed ? std::min(unstressed, touch) : unstressed;
+            const double overlap = reference - length;
 
             NewContact left{static_cast<Index>(i), static_cast<Index>(j), reference,
                             inherited(contact, overlap, motion.shear - history.shear, rate * state.dt)};
