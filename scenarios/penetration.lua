@@ -36,7 +36,7 @@ local p = dem.param {
 
   step_fraction      = { 0.8, help = "share of the critical time step" },
   history_every      = { 1e-5, "s" },
-  frame_every        = { 1e-4, "s" },
+  frame_every        = { 1e-3 / 6, "s" },
 }
 
 local concrete = dem.material {

@@ -217,7 +217,7 @@ std::string describe(lua_State* L, int index) {
     if (lua_getmetatable(L, index) == 0) return "an object";
     lua_pushliteral(L, "__name");
     lua_rawget(L, -2);
-    const std::string text = lua_type(L, -1) == LUA_TSTRING ? "a " + std::string(lua_tostring(L, -1)) : "an object";
+    std::string text = lua_type(L, -1) == LUA_TSTRING ? "a " + std::string(lua_tostring(L, -1)) : "an object";
     lua_pop(L, 2);
     return text;
 }

@@ -59,6 +59,7 @@ observe::BodyMotion motion_of(lua_State* L, std::size_t body) {
 template <class Source>
 std::vector<std::string> names_of(const std::vector<Reading<Source>>& readings) {
     std::vector<std::string> names;
+    names.reserve(readings.size());
     for (const auto& reading : readings) names.push_back(reading.name);
     return names;
 }
@@ -214,9 +215,10 @@ int read_sum(lua_State* L) {
 int read_field(lua_State* L) {
     const std::vector<double> values = field_values(L);
     lua_createtable(L, static_cast<int>(values.size()), 0);
-    for (std::size_t k = 0; k < values.size(); ++k) {
-        lua_pushnumber(L, values[k]);
-        lua_rawseti(L, -2, static_cast<lua_Integer>(k + 1));
+    lua_Integer item = 0;
+    for (const double value : values) {
+        lua_pushnumber(L, value);
+        lua_rawseti(L, -2, ++item);
     }
     return 1;
 }

@@ -5,6 +5,8 @@
 #include "scripting/read.hpp"
 #include "scripting/sandbox.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -108,7 +110,8 @@ std::optional<Declared> declaration(const Call& call, const std::string& name) {
     if (table) {
         for (const std::string& key : string_keys(L, index)) {
             if (key == "unit" || key == "help") continue;
-            call.complain(what + "." + key, "", "unknown setting", did_you_mean(key, {"unit", "help"}), Cause::wording);
+            call.complain(fmt::format("{}.{}", what, key), "", "unknown setting", did_you_mean(key, {"unit", "help"}),
+                          Cause::wording);
         }
         made.unit = text_item(call, index, "unit", 2, what);
         made.help = text_item(call, index, "help", 0, what);

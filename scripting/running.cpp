@@ -107,7 +107,7 @@ observe::RunReport run_now(Context& context, double duration, const Place& place
     pass_on_changes(context);
     context.runs.push_back(without_functions(request));
     note_assembled(context);
-    const observe::RunReport report = context.host->run(context.scene, request);
+    observe::RunReport report = context.host->run(context.scene, request);
     if (report.ending == observe::Ending::interrupted) {
         context.interrupted = true;
         throw LuaFailure("interrupted");

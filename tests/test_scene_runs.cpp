@@ -1,0 +1,142 @@
+// Scenes that run: handles, callbacks, changes between runs, the scenarios.
+#include "tests/catch.hpp"
+#include "tests/scene_language.hpp"
+
+#include <cmath>
+#include <numbers>
+
+using namespace demlua;
+using namespace demlua::test;
+using Catch::Approx;
+
+TEST_CASE("regions combine, move and can be asked", "[scene]") {
+    BareHost host;
+    run(R"(
+local square, hole = dem.rectangle { size = { 2, 2 } }, dem.disc { centre = { 1, 1 }, radius = 0.5 }
+local plate = square - hole
+print(plate:contains(1, 1), plate:contains(0.1, 0.1), (square * hole):contains(1, 1), (hole + square):contains(0.1, 0.1))
+print(square:translated { 5, 0 }:contains(6, 1), square:rotated { math.pi / 2 }:contains(-1, 1), square:rotated { math.pi }:contains(1, 1))
+dem.result { area = plate:area() }
+)",
+        host);
+    CHECK(host.printed == std::vector<std::string>{"false\ttrue\ttrue\ttrue", "true\ttrue\tfalse"});
+    CHECK(host.number("area") == Approx(4.0 - std::numbers::pi / 4.0).epsilon(1e-6));
+}
+
+TEST_CASE("handles answer before anything is packed", "[scene]") {
+    BareHost host;
+    run(block + R"(
+local pressed = sim:body { name = "b", material = rock, region = dem.rectangle { size = { 1, 1 } }, packing = dem.consolidated { count = 300 } }
+dem.result { given = block.radius, found = pressed.radius, name = block.name, density = rock.density }
+)",
+        host);
+    CHECK(host.number("given") == 0.1);
+    CHECK(host.number("found") == Approx(std::sqrt(0.82 / (300 * std::numbers::pi))));
+    CHECK(std::get<std::string>(host.results.at("name")) == "block");
+    CHECK(host.number("density") == 2000.0);
+}
+
+TEST_CASE("callbacks read, change and stop a run", "[scene]") {
+    BareHost host;
+    run(stone + R"(
+sim:history { every = 0.01, vx = function(now) return now.body.stone.velocity.x end }
+sim:every { 0.01, function(now)
+  if now.time > 0.5 then now:stop("far enough") end
+end }
+local report = sim:run { duration = 1 }
+dem.result { ending = report.ending, reason = report.reason, time = sim.now.time, mass = stone.mass, x = stone.position.x,
+             fall = -sim.now.body.stone.velocity.y / sim.now.time, kinetic = sim.now.ledger.kinetic }
+)",
+        host);
+    CHECK(std::get<std::string>(host.results.at("ending")) == "stopped");
+    CHECK(std::get<std::string>(host.results.at("reason")) == "far enough");
+    CHECK(host.number("time") == Approx(0.51).margin(0.02));
+    CHECK(host.number("x") == Approx(3.0 * host.number("time")));
+    CHECK(host.number("fall") == Approx(10.0));
+    CHECK(host.number("kinetic") > 0.0);
+    REQUIRE(host.columns.at("vx").size() > 50);
+    CHECK(host.columns.at("vx").front() == Approx(3.0));
+}
+
+TEST_CASE("loads and velocities change between runs", "[scene]") {
+    BareHost host;
+    run(stone + R"(
+local push = sim:force { stone, x = 0 }
+sim:run { duration = 0.1 }
+stone:set_velocity { 0, 0 }
+push:set { x = 2 * stone.mass }
+sim:run { duration = 0.5 }
+local with_push = stone.velocity.x
+push:set { x = function(t) return t < 0.8 and 0 or 100 * stone.mass end }
+sim:run { duration = 0.1 }
+dem.result { with_push = with_push, after = stone.velocity.x, mean = stone:mean("velocity_x"), sum = sim.now:sum("kinetic_energy", stone) }
+)",
+        host);
+    CHECK(host.number("with_push") == Approx(1.0).epsilon(1e-2));
+    CHECK(host.number("after") == Approx(host.number("with_push")).epsilon(1e-2));
+    CHECK(host.number("mean") == Approx(host.number("after")));
+    CHECK(host.number("sum") > 0.0);
+}
+
+TEST_CASE("a callback that fails stops the run with file, line and traceback", "[scene]") {
+    BareHost host;
+    const auto told = problems_of([&] {
+        run(stone + R"(local function read(now)
+  return now.body.stone.velocty.x
+end
+sim:every { 0.1, function(now) read(now) end }
+pcall(function() sim:run { duration = 1 } end)
+dem.result { reached = true }
+)",
+            host);
+    });
+    REQUIRE(told.size() == 1);
+    CHECK(told[0].rfind(scene_name + ":6: unknown reading of a body \"velocty\"; did you mean "
+                                     "\"velocity\"?\nstack traceback:",
+                        0) == 0);
+    CHECK(host.simulation()->time() == 0.0);
+}
+
+TEST_CASE("a wrong value in a callback is a problem of the scene", "[scene]") {
+    BareHost host;
+    const auto told = problems_of([&] {
+        run(stone +
+                "sim:history { every = 0.1, speed = function(now) return \"fast\" end }\nsim:run { duration = 1 }\n",
+            host);
+    });
+    CHECK(told == std::vector<std::string>{scene_name + ":5: history.speed = \"fast\": must return a number"});
+}
+
+TEST_CASE("random numbers are the same at every run", "[scene]") {
+    const std::string text = "dem.result { x = math.random() }";
+    BareHost first;
+    BareHost second;
+    run(text, first);
+    run(text, second);
+    CHECK(first.number("x") == second.number("x"));
+}
+
+TEST_CASE("the small scenarios show what they say", "[scene]") {
+    BareHost pair;
+    run_scene(source_folder / "scenarios/bonded_pair.lua", {}, pair);
+    CHECK(std::abs(pair.number("error")) < 2e-3);
+
+    BareHost collision;
+    run_scene(source_folder / "scenarios/colliding_disks.lua", {{"restitution", "0.7"}}, collision);
+    CHECK(collision.number("measured") == Approx(0.7).epsilon(5e-3));
+    CHECK(std::abs(collision.number("momentum")) < 1e-12);
+
+    BareHost tension;
+    run_scene(source_folder / "scenarios/tension_test.lua", {}, tension);
+    CHECK(tension.number("modulus") == Approx(tension.number("modulus_reference")).epsilon(0.05));
+    CHECK(tension.number("strength") == Approx(tension.number("strength_reference")).epsilon(0.08));
+    CHECK(tension.simulation()->fragments() >= 2);
+}
+
+TEST_CASE("the projectile of the penetration scene has exactly 351 elements", "[scene]") {
+    BareHost host;
+    run_scene(source_folder / "scenarios/penetration.lua", {{"elements", "1200"}, {"duration", "1e-9"}}, host);
+    model::Selection projectile;
+    projectile.body = 1;
+    CHECK(host.simulation()->field("id", projectile).size() == 351);
+}
