@@ -41,7 +41,7 @@ struct HistoryColumn {
     std::string measure;
 };
 struct History {
-    double every = 0.0;
+    SharedInterval interval;
     std::vector<HistoryColumn> columns;
     Place place;
 };
@@ -81,7 +81,7 @@ struct Context {
     std::vector<Parameter> parameters;
     std::vector<TimeFunction> time_functions;
     std::vector<std::function<bool(Vec2)>> place_functions; ///< not yet tried
-    std::vector<double> frames_every;
+    std::vector<SharedInterval> outputs;
     std::vector<History> histories;
     std::vector<Periodic> periodics;
     std::vector<Function> functions; ///< what model::Callback::key counts from one

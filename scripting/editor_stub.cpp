@@ -30,6 +30,8 @@ const std::string& class_given(const Word& word) {
                                                             {"a body", "dem.body"},
                                                             {"a load", "dem.load"},
                                                             {"a wall", "dem.wall"},
+                                                            {"an output", "dem.output"},
+                                                            {"a history", "dem.history"},
                                                             {"a signal", "dem.signal"}};
     static const std::string any = "table";
     const auto found = classes.find(word.gives);
@@ -97,6 +99,16 @@ local load = {}
 ---@param settings table
 function load:set(settings) end
 
+---@class dem.output
+local output = {}
+---@param settings { every: number }
+function output:set(settings) end
+
+---@class dem.history
+local history = {}
+---@param settings { every: number }
+function history:set(settings) end
+
 ---@class dem.wall
 ---@field name string
 ---@field force dem.vector
@@ -134,6 +146,7 @@ function now:sum(name, selection) end
 ---@param selection? dem.selection
 ---@return number[]
 function now:field(name, selection) end
+function now:frame() end
 ---@param reason string
 function now:stop(reason) end
 

@@ -191,6 +191,27 @@ int wall_index(lua_State* L) {
     return 1;
 }
 
+// --- what is written -------------------------------------------------------------------------------------------------
+
+/// output:set and history:set: both take the one setting that can be changed, `every`.
+template <class Handle>
+int interval_set(lua_State* L) {
+    const std::string name = object_name<Handle>;
+    const SharedInterval interval = self<Handle>(L, name + ":set { ... }").interval;
+    OutputSaid said;
+    const Call call(L, name);
+    if (read(call, 2, words::output(), said)) interval->change(said.every, call.context.time());
+    return 0;
+}
+
+template <class Handle>
+int interval_index(lua_State* L) {
+    const std::string key = asked_key(L);
+    if (key != "set") unknown_field(object_name<Handle>, key, {"set"});
+    lua_pushcfunction(L, guarded<interval_set<Handle>>);
+    return 1;
+}
+
 } // namespace
 
 void add_handles(lua_State* L) {
@@ -199,6 +220,8 @@ void add_handles(lua_State* L) {
     define<SideHandle>(L, guarded<side_index>);
     define<LoadHandle>(L, guarded<load_index>);
     define<WallHandle>(L, guarded<wall_index>);
+    define<OutputHandle>(L, guarded<interval_index<OutputHandle>>);
+    define<HistoryHandle>(L, guarded<interval_index<HistoryHandle>>);
 }
 
 } // namespace demlua::scripting

@@ -3,6 +3,7 @@
 
 #include "engine/model/scene.hpp"
 #include "engine/observe/simulation.hpp"
+#include "scripting/interval.hpp"
 
 #include <functional>
 #include <string>
@@ -21,16 +22,16 @@ struct Parameter {
     std::string help;
 };
 
-/// Extra columns of the history: read every `every` seconds beside the standing ones.
+/// Extra columns of the history, read beside the standing ones.
 struct HistoryRequest {
-    double every = 0.0; ///< s
+    SharedInterval interval;
     std::vector<std::pair<std::string, std::function<double(observe::Simulation&)>>> columns;
 };
 
 /// One call of sim:run.
 struct RunRequest {
     double duration = 0.0;              ///< s
-    std::vector<double> frames_every;   ///< s, one entry per sim:output in force
+    std::vector<SharedInterval> frames; ///< one entry per sim:output in force
     std::vector<HistoryRequest> histories;
     std::vector<observe::Watcher> callbacks;
     Place place;
@@ -50,6 +51,8 @@ public:
 
     /// Runs the scene as it stands; the first call assembles it. Throws SceneError or RunError.
     virtual observe::RunReport run(const model::Scene& scene, const RunRequest& request) = 0;
+    /// Writes a frame of this instant, if there is none yet; only during a run.
+    virtual void frame() = 0;
     /// The simulation once it has been assembled, else null.
     virtual observe::Simulation* simulation() = 0;
     virtual void result(const Result& result) = 0;

@@ -97,10 +97,19 @@ int stop(lua_State* L) {
     return 0;
 }
 
+int frame(lua_State* L) {
+    const Context& context = Context::of(L);
+    if (test<Now>(L, 1) == nullptr) throw LuaFailure("call it with a colon: now:frame()");
+    if (context.watched == nullptr) throw LuaFailure("now:frame is for functions called during a run");
+    context.host->frame();
+    return 0;
+}
+
 bool push_method(lua_State* L, const std::string& key) {
-    constexpr std::array<luaL_Reg, 4> methods{{{"mean", guarded<read_mean>},
+    constexpr std::array<luaL_Reg, 5> methods{{{"mean", guarded<read_mean>},
                                                {"sum", guarded<read_sum>},
                                                {"field", guarded<read_field>},
+                                               {"frame", guarded<frame>},
                                                {"stop", guarded<stop>}}};
     const auto* const found =
         std::find_if(methods.begin(), methods.end(), [&](const luaL_Reg& each) { return key == each.name; });
@@ -115,7 +124,7 @@ void push_scalar(lua_State* L, const std::string& key) {
         std::find_if(readings.begin(), readings.end(), [&](const auto& each) { return each.name == key; });
     if (found == readings.end()) {
         std::vector<std::string> known = names_of(readings);
-        for (const char* name : {"ledger", "momentum", "body", "wall", "mean", "sum", "field", "stop"}) {
+        for (const char* name : {"ledger", "momentum", "body", "wall", "mean", "sum", "field", "frame", "stop"}) {
             known.emplace_back(name);
         }
         unknown_field("now", key, known);

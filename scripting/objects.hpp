@@ -5,6 +5,7 @@
 #include "engine/model/packings.hpp"
 #include "engine/model/region.hpp"
 #include "engine/model/scene.hpp"
+#include "scripting/interval.hpp"
 #include "scripting/lua.hpp"
 
 #include <cstddef>
@@ -34,6 +35,13 @@ struct LoadHandle {
 struct WallHandle {
     std::size_t row = 0;
 };
+/// What is written at an interval that can be changed.
+struct OutputHandle {
+    SharedInterval interval;
+};
+struct HistoryHandle {
+    SharedInterval interval;
+};
 struct SimulationHandle {};
 /// The simulation as it stands, as callbacks see it.
 struct Now {};
@@ -62,6 +70,10 @@ template <>
 inline constexpr const char* object_name<LoadHandle> = "load";
 template <>
 inline constexpr const char* object_name<WallHandle> = "wall";
+template <>
+inline constexpr const char* object_name<OutputHandle> = "output";
+template <>
+inline constexpr const char* object_name<HistoryHandle> = "history";
 template <>
 inline constexpr const char* object_name<SimulationHandle> = "simulation";
 template <>

@@ -125,8 +125,9 @@ and `region:area()` can be asked.
 
 **Handles**: `beam.radius` is the radius of a body's elements, known before they are packed; `concrete.density` and the like
 read a material back. A load is changed by `load:set { ... }` with the settings it was made with, between runs or in a
-callback. A body answers `beam:mean("stress_yy")`, `beam:sum("force_y")`, `beam:field("speed")` and, like `now.body.beam`,
-its motion as a whole: `beam.velocity.y`.
+callback. So is what `sim:output` and `sim:history` gave, by `frames:set { every = 1e-5 }`: the next is then due that long
+after now; the time step stays as it was fitted to the interval first said. A body answers `beam:mean("stress_yy")`,
+`beam:sum("force_y")`, `beam:field("speed")` and, like `now.body.beam`, its motion as a whole: `beam.velocity.y`.
 
 **Several runs**: lines after `sim:run` see what came of it and may add loads, supports and notches, or change them, before
 the next. Bodies and walls must stand before the first run. `sim:history`, `sim:output` and `sim:every` stay in force and
@@ -157,7 +158,7 @@ std::string words_as_markdown() {
     text +=
         "## Readings\n\n`now` is what history functions and `sim:every` are given, and `sim.now` is the same between "
         "runs. `now:mean(field, selection)`, `now:sum(field, selection)` and `now:field(name, selection)` read fields "
-        "of elements; `now:stop(\"reason\")` ends a run.\n\n";
+        "of elements; `now:frame()` writes a frame of this very instant; `now:stop(\"reason\")` ends a run.\n\n";
     text += markdown_of("`now`", now_readings());
     text += markdown_of("`now.body.NAME`", body_readings());
     text += "### `now.wall.NAME`\n\n| reading | unit | meaning |\n|---|---|---|\n| `force` | N | x and y, on the wall "

@@ -56,8 +56,9 @@ std::string run_outlook(const observe::Simulation& simulation, double duration, 
 
 std::string scene_in_a_line(const SceneSummary& scene) {
     std::string line = scene.scene.title.empty() ? "untitled" : scene.scene.title;
-    line += fmt::format(": {} bodies, {}, {}", scene.scene.bodies.size(), counted(scene.scene.walls.size(), "wall"),
-                        counted(scene.runs.size(), "run"));
+    const std::size_t bodies = scene.scene.bodies.size();
+    line += fmt::format(": {} {}, {}, {}", bodies, bodies == 1 ? "body" : "bodies",
+                        counted(scene.scene.walls.size(), "wall"), counted(scene.runs.size(), "run"));
     if (scene.runs.empty()) return line;
     double total = 0.0;
     for (const auto& run : scene.runs) total += run.duration;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
+#include <map>
 #include <utility>
 
 namespace demlua::scripting {
@@ -35,19 +37,45 @@ private:
     Clock::time_point begin_ = Clock::now();
 };
 
-/// Each interval once, in rising order; `otherwise` when there is none.
-std::vector<double> distinct(std::vector<double> intervals, double otherwise) {
-    if (intervals.empty()) intervals.push_back(otherwise);
-    std::sort(intervals.begin(), intervals.end());
-    intervals.erase(std::unique(intervals.begin(), intervals.end()), intervals.end());
+using Intervals = std::vector<SharedInterval>;
+
+Intervals intervals_of(const std::vector<HistoryRequest>& histories) {
+    Intervals intervals;
+    intervals.reserve(histories.size());
+    for (const auto& history : histories) intervals.push_back(history.interval);
     return intervals;
 }
 
-std::vector<double> intervals_of(const std::vector<HistoryRequest>& histories) {
-    std::vector<double> intervals;
-    intervals.reserve(histories.size());
-    for (const auto& history : histories) intervals.push_back(history.every);
-    return intervals;
+/// Only functions of the scene can change something while a run goes on.
+bool may_change(const RunRequest& request, const Intervals& intervals) {
+    const auto has_columns = [](const HistoryRequest& history) { return !history.columns.empty(); };
+    return !request.callbacks.empty() || std::any_of(request.histories.begin(), request.histories.end(), has_columns) ||
+           std::any_of(intervals.begin(), intervals.end(), [](const auto& each) { return each->changed(); });
+}
+
+/// Watchers that act whenever one of the intervals comes round. Those as first said are there even when they have been
+/// changed, as the time step is fitted to them.
+void add_watchers(std::vector<observe::Watcher>& all, const Intervals& intervals, const RunRequest& request, double now,
+                  const std::function<void()>& act) {
+    std::map<double, Intervals> as_said;
+    for (const auto& each : intervals) {
+        each->begin(now);
+        as_said[each->said()].push_back(each);
+    }
+    for (const auto& [every, those] : as_said) {
+        all.push_back({every, [those = those, act](const observe::Simulation&) {
+                           const auto as_was = [](const SharedInterval& each) { return !each->changed(); };
+                           if (std::any_of(those.begin(), those.end(), as_was)) act();
+                       }});
+    }
+    if (!may_change(request, intervals)) return;
+    all.push_back({0.0, [intervals, act](const observe::Simulation& simulation) {
+                       bool due = false;
+                       for (const auto& each : intervals) {
+                           due = each->comes_round(simulation.time(), 1e-6 * simulation.time_step()) || due;
+                       }
+                       if (due) act();
+                   }});
 }
 
 std::vector<output::SummaryParameter> for_summary(const std::vector<Parameter>& parameters) {
@@ -102,20 +130,21 @@ void RunHost::start(const model::Scene& scene) {
 
 std::vector<observe::Watcher> RunHost::watchers(const RunRequest& request, Progress& progress) {
     // Without sim:output a run still shows its start and its end; without sim:history there is a row for each frame.
-    const auto frames = distinct(request.frames_every, request.duration);
-    const auto rows = request.histories.empty() ? frames : distinct(intervals_of(request.histories), request.duration);
+    const double now = simulation_->time();
+    const Intervals at_ends{std::make_shared<Interval>(request.duration)};
+    row_for_each_frame_ = request.histories.empty();
     std::vector<observe::Watcher> all;
-    all.reserve(rows.size() + frames.size() + 1 + request.callbacks.size());
-    for (const double every : rows) {
-        all.push_back({every, [this, &request](observe::Simulation&) { take_row(request.histories); }});
-    }
-    for (const double every : frames) {
-        all.push_back({every, [this](observe::Simulation&) { take_frame(); }});
-    }
+    add_watchers(all, intervals_of(request.histories), request, now, [this, &request] { take_row(request.histories); });
+    add_watchers(all, request.frames.empty() ? at_ends : request.frames, request, now, [this] { frame(); });
     if (terminal_.interactive()) all.push_back(progress.watcher());
     // Last, so that an instant is written as it was before the scene changes it or fails.
     all.insert(all.end(), request.callbacks.begin(), request.callbacks.end());
     return all;
+}
+
+void RunHost::frame() {
+    if (row_for_each_frame_) take_row({});
+    take_frame();
 }
 
 void RunHost::take_frame() {

@@ -40,6 +40,7 @@ public:
 
     /// After an interruption further runs come back at once, so that the script can end.
     observe::RunReport run(const model::Scene& scene, const RunRequest& request) override;
+    void frame() override;
     observe::Simulation* simulation() override { return simulation_.get(); }
     void result(const Result& result) override;
     void print(const std::string& line) override { terminal_.print(line); }
@@ -54,7 +55,7 @@ public:
 private:
     void start(const model::Scene& scene);
     void begin_run(const model::Scene& scene, const RunRequest& request);
-    std::vector<observe::Watcher> watchers(const RunRequest& request, Progress& progress);
+    [[nodiscard]] std::vector<observe::Watcher> watchers(const RunRequest& request, Progress& progress);
     void take_frame();
     void take_row(const std::vector<HistoryRequest>& extra);
     [[nodiscard]] output::SummaryEnding ending(const std::string& failure) const;
@@ -70,6 +71,7 @@ private:
     std::string inputs_;
     std::vector<Result> results_;
     observe::HistoryRow last_row_;
+    bool row_for_each_frame_ = false;
     std::optional<std::uint64_t> last_row_step_;
     std::optional<std::uint64_t> last_frame_step_;
     observe::RunReport last_report_;

@@ -53,7 +53,7 @@ double column_value(Context& context, observe::Simulation& simulation, const His
 }
 
 HistoryRequest request_of(Context& context, const History& history) {
-    HistoryRequest request{history.every, {}};
+    HistoryRequest request{history.interval, {}};
     for (const HistoryColumn& column : history.columns) {
         request.columns.emplace_back(column.name,
                                      [&context, column, place = history.place](observe::Simulation& simulation) {
@@ -64,7 +64,7 @@ HistoryRequest request_of(Context& context, const History& history) {
 }
 
 RunRequest request_of(Context& context, double duration, const Place& place) {
-    RunRequest request{duration, context.frames_every, {}, {}, place};
+    RunRequest request{duration, context.outputs, {}, {}, place};
     for (const History& history : context.histories) request.histories.push_back(request_of(context, history));
     for (const Periodic& periodic : context.periodics) {
         request.callbacks.push_back({periodic.every, [&context, act = periodic.act](observe::Simulation& simulation) {

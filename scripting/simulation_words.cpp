@@ -137,12 +137,22 @@ void add_column(const Call& call, const std::string& name, History& history) {
     }
 }
 
+/// What is asked of runs cannot be asked of the one that is going on, whose time step is fitted to its intervals.
+Call call_between_runs(lua_State* L, const Word& word, const std::string& instead) {
+    if (Context::of(L).watched != nullptr) {
+        throw LuaFailure(word.call + " cannot be called while a run is going on" + instead);
+    }
+    return call_on_simulation(L, word);
+}
+
 int history(lua_State* L) {
-    const Call call = call_on_simulation(L, words::history());
+    const Call call = call_between_runs(L, words::history(), "; call it before and change it with history:set");
     HistorySaid said;
     const bool good = read(call, 2, words::history(), said);
-    if (lua_type(L, 2) != LUA_TTABLE) return 0;
-    History made{said.every, {}, call.place};
+    const auto interval = std::make_shared<Interval>(said.every);
+    push(L, HistoryHandle{interval});
+    if (lua_type(L, 2) != LUA_TTABLE) return 1;
+    History made{interval, {}, call.place};
     for (const std::string& name : string_keys(L, 2)) {
         if (words::history().find(name) != nullptr) continue;
         lua_pushstring(L, name.c_str());
@@ -151,19 +161,22 @@ int history(lua_State* L) {
         lua_pop(L, 1);
     }
     if (good) call.context.histories.push_back(std::move(made));
-    return 0;
+    return 1;
 }
 
 int output(lua_State* L) {
     OutputSaid said;
-    const Call call = call_on_simulation(L, words::output());
-    if (read(call, 2, words::output(), said)) call.context.frames_every.push_back(said.every);
-    return 0;
+    const Call call = call_between_runs(L, words::output(), "; call it before and change it with output:set");
+    const bool good = read(call, 2, words::output(), said);
+    const auto interval = std::make_shared<Interval>(said.every);
+    if (good) call.context.outputs.push_back(interval);
+    push(L, OutputHandle{interval});
+    return 1;
 }
 
 int every(lua_State* L) {
     EverySaid said;
-    const Call call = call_on_simulation(L, words::every());
+    const Call call = call_between_runs(L, words::every(), "");
     if (!read(call, 2, words::every(), said)) return 0;
     call.context.periodics.push_back({said.interval, call.context.functions[said.act.key - 1]});
     return 0;

@@ -64,7 +64,7 @@ public:
         }
         std::vector<observe::Watcher> watchers = request.callbacks;
         for (const HistoryRequest& history : request.histories) {
-            watchers.push_back({history.every, [&](observe::Simulation& simulation) {
+            watchers.push_back({history.interval->said(), [&](observe::Simulation& simulation) {
                                     for (const auto& [name, read] : history.columns) {
                                         columns[name].push_back(read(simulation));
                                     }
@@ -72,6 +72,7 @@ public:
         }
         return simulation_->run(request.duration, watchers);
     }
+    void frame() override { ++frames; }
     observe::Simulation* simulation() override { return simulation_.get(); }
     void result(const Result& result) override { results[result.first] = result.second; }
     void print(const std::string& line) override { printed.push_back(line); }
@@ -81,6 +82,7 @@ public:
     std::map<std::string, std::variant<double, bool, std::string>> results;
     std::map<std::string, std::vector<double>> columns;
     std::vector<std::string> printed;
+    std::size_t frames = 0;
 
 private:
     std::unique_ptr<observe::Simulation> simulation_;

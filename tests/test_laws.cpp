@@ -61,16 +61,16 @@ TEST_CASE("stiffness of a close-packed lattice gives back E and nu by Voigt's su
 
 TEST_CASE("plateau has the caps and openings of eqs 32 to 36") {
     const law::Plateau::Params p = plateau();
-    CHECK(p.fn_per_radius * R == Approx(19151.5).epsilon(1e-5));
-    CHECK(p.ft_per_radius * R == Approx(1228.57).epsilon(1e-5));
-    CHECK(p.fn_per_radius * R / p.Kn == Approx(0.78182e-6).epsilon(1e-5));
-    CHECK(p.opening + p.half_stretch_per_radius * R == Approx(17.9718e-6).epsilon(1e-5));
+    CHECK(p.Kn * p.stretch_per_radius * R == Approx(19151.5).epsilon(1e-5));
+    CHECK(p.Kt * p.shear_per_radius * R == Approx(1228.57).epsilon(1e-5));
+    CHECK(p.stretch_per_radius * R == Approx(0.78182e-6).epsilon(1e-5));
+    CHECK(p.opening + 0.5 * p.stretch_per_radius * R == Approx(17.9718e-6).epsilon(1e-5));
 }
 
 TEST_CASE("plateau spends the fracture energy under its stress-opening curve") {
     const law::Plateau::Params p = plateau();
     law::Plateau::History<double> history;
-    const double d_max = p.opening + p.half_stretch_per_radius * R;
+    const double d_max = p.opening + 0.5 * p.stretch_per_radius * R;
     const double step = d_max / 40000.0;
     double work = 0.0;
     double before = 0.0;
@@ -92,7 +92,7 @@ TEST_CASE("plateau unloads with its first stiffness, and never yields in compres
     law::Plateau::History<double> history;
     const double yielded = 5e-6;
     const double cap = law::Plateau::respond(p, R, pulled(yielded), history).normal;
-    CHECK(cap == p.fn_per_radius * R);
+    CHECK(cap == p.Kn * (p.stretch_per_radius * R));
     CHECK(law::Plateau::respond(p, R, pulled(yielded - 0.5e-6), history).normal ==
           Approx(cap - 0.5e-6 * p.Kn).epsilon(1e-10));
     const double work = history.work;
@@ -106,12 +106,12 @@ TEST_CASE("plateau caps shear both ways and breaks in shear only when asked to")
     const law::Plateau::Params printed = plateau(false);
     const law::Plateau::Params breaking = plateau(true);
     law::Plateau::History<double> history;
-    const double cap = printed.ft_per_radius * R;
+    const double cap = printed.Kt * (printed.shear_per_radius * R);
     CHECK(law::Plateau::respond(printed, R, pulled(0.0, 1e-3), history).shear == cap);
     CHECK(law::Plateau::respond(printed, R, pulled(0.0, -1e-3), history).shear == -cap);
     CHECK_FALSE(law::Plateau::broken(printed, R, pulled(0.0, 1.0), history));
     // Area under the shear curve: cap times the greatest shear, less the elastic triangle left out at the start.
-    const double d_max = breaking.slip + breaking.half_shear_per_radius * R;
+    const double d_max = breaking.slip + 0.5 * breaking.shear_per_radius * R;
     CHECK(cap * (d_max - 0.5 * cap / breaking.Kt) / (2.0 * R) == Approx(33.670).epsilon(1e-4));
     CHECK(law::Plateau::broken(breaking, R, pulled(0.0, d_max * 1.0001), history));
     CHECK_FALSE(law::Plateau::broken(breaking, R, pulled(0.0, d_max * 0.9999), history));
@@ -122,7 +122,7 @@ TEST_CASE("a strain-rate factor multiplies strength and fracture energy") {
     const law::ContactStiffness k = law::contact_stiffness(plane, 1.0);
     const auto fast = law::Plateau::derive(k, plane, 1.0, strength, toughness, 3.0, false);
     const auto same = law::Plateau::derive(k, plane, 1.0, 3.0 * strength, std::sqrt(3.0) * toughness, 1.0, false);
-    CHECK(fast.fn_per_radius == Approx(same.fn_per_radius).epsilon(1e-14));
+    CHECK(fast.stretch_per_radius == Approx(same.stretch_per_radius).epsilon(1e-14));
     CHECK(fast.opening == Approx(same.opening).epsilon(1e-14));
 }
 

@@ -152,8 +152,10 @@ sim:run { duration = 2 }
 )");
     CHECK(summary.scene.supports.empty()); // as it stood at the first run
     REQUIRE(summary.runs.size() == 2);
-    CHECK(summary.runs[0].frames_every == std::vector<double>{0.5});
-    CHECK(summary.runs[1].frames_every == std::vector<double>{0.5, 0.25});
+    REQUIRE(summary.runs[0].frames.size() == 1);
+    REQUIRE(summary.runs[1].frames.size() == 2);
+    CHECK(summary.runs[0].frames[0]->said() == 0.5);
+    CHECK(summary.runs[1].frames[1]->said() == 0.25);
     CHECK(summary.runs[1].duration == 2.0);
     REQUIRE(summary.runs[0].histories.size() == 1);
     CHECK(summary.runs[0].histories[0].columns[0].first == "height");

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes a picture of a run: elements at their true radius, cracks as black lines, several instants one below another.
+"""Makes a picture of a run: elements at their true radius, cracks as black lines, several instants on one sheet.
 
 Needs VTK's Python module to read the files and write the picture, and no display: the disks are few and plain enough to
 be filled row by row here. Run it as tools/render, which finds the right interpreter.
@@ -27,6 +27,7 @@ BROKEN = 2  # value of the bond field "state"
 NEAR = 1.3  # a broken bond shows as a crack while its elements are nearer than this times the sum of their radii
 GAP = 12  # pixels between pictures
 CAPTION = 26  # pixels
+SHEET = 1200  # pixels across, unless told otherwise
 
 
 class Fault(Exception):
@@ -247,18 +248,21 @@ def time_text(time, longest):
 
 
 def sheet(frames, field, limits, box, size):
-    """The frames one below another, each under its time."""
-    width = size[0]
+    """The frames, each under its time: one below another, or side by side when what they show is higher than wide."""
+    across = len(frames) if box[3] - box[1] > box[2] - box[0] else 1
+    down = len(frames) // across
+    width = size[0] or max((SHEET + GAP) // across - GAP, 1)
     height = size[1] or max(round(width * (box[3] - box[1]) / (box[2] - box[0])), 1)
-    canvas = Canvas(width, len(frames) * (height + CAPTION + GAP) - GAP)
+    canvas = Canvas(across * (width + GAP) - GAP, down * (height + CAPTION + GAP) - GAP)
     longest = max(frame.time for frame in frames)
     for k, frame in enumerate(frames):
-        top = canvas.height - k * (height + CAPTION + GAP)
+        left = k % across * (width + GAP)
+        top = canvas.height - k // across * (height + CAPTION + GAP)
         text = time_text(frame.time, longest)
         if field:
             text += f"    {field}: {limits[0]:.4g} (dark) to {limits[1]:.4g} (light)"
-        canvas.paste(caption(text), 8, top - CAPTION)
-        canvas.paste(draw(frame, box, width, height, colours(frame, field, limits)), 0, top - CAPTION - height)
+        canvas.paste(caption(text), left + 8, top - CAPTION)
+        canvas.paste(draw(frame, box, width, height, colours(frame, field, limits)), left, top - CAPTION - height)
     return canvas
 
 
@@ -286,17 +290,18 @@ def options():
     parser.add_argument("--field", help="colour by an element field (stress_xx, speed, ...) instead of by body")
     parser.add_argument("--range", default="", metavar="LOW,HIGH", help="of the field; else from least to greatest")
     parser.add_argument("--view", default="", metavar="X0,Y0,X1,Y1", help="part of the plane to show, in metres")
-    parser.add_argument("--size", default="1200", metavar="WxH", help="pixels of each picture; W alone fits H")
+    parser.add_argument("--size", default="", metavar="WxH",
+                        help="pixels of each picture; W alone fits H; else what makes a sheet 1200 wide")
     parser.add_argument("-o", dest="file", help="the PNG to write; else render.png in DIR")
     given = parser.parse_args()
     try:
         given.times = separated(given.times, ",", float)
         given.range = separated(given.range, ",", float)
         given.view = separated(given.view, ",", float)
-        given.size = (separated(given.size, "x", int) + [0])[:2]
+        given.size = (separated(given.size, "x", int) + [0, 0])[:2]
     except ValueError as error:
         parser.error(str(error))
-    if len(given.range) not in (0, 2) or len(given.view) not in (0, 4) or given.size[0] < 1:
+    if len(given.range) not in (0, 2) or len(given.view) not in (0, 4) or min(given.size) < 0:
         parser.error("--range takes two numbers, --view four, --size positive ones")
     return given
 

@@ -13,11 +13,14 @@ constexpr double clamped(double value, double limit) { return larger(-limit, sma
 inline double magnitude(double value) { return std::fabs(value); }
 inline double square_root(double value) { return std::sqrt(value); }
 
+/// Marks the few functions that the loops cannot afford to call.
+#define DEMLUA_INLINE [[gnu::always_inline]] inline
+
 /// Angle of the vector (cosine, sine), rad. Small angles, nearly all there are between bonds, by the series of the
 /// arctangent, whose first term left out is below one unit in the last place.
-inline double angle_of(double cosine, double sine) {
+DEMLUA_INLINE double angle_of(double cosine, double sine) {
     constexpr double series_limit = 0.02;
-    if (!(std::fabs(sine) < series_limit * cosine)) return std::atan2(sine, cosine);
+    if (!(std::fabs(sine) < series_limit * cosine)) [[unlikely]] return std::atan2(sine, cosine);
     const double t = sine / cosine;
     const double q = t * t;
     return t * (1.0 - q * (1.0 / 3.0 - q * (1.0 / 5.0 - q * (1.0 / 7.0 - q * (1.0 / 9.0)))));

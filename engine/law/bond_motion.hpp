@@ -31,7 +31,7 @@ struct BondMotion {
 /// `D` the bond's vector at bonding (i to j, length l), `du` how much farther j has moved than i: the difference of
 /// displacements, so that a small stretch is not lost in large coordinates. `turn` = s_i theta_i + s_j theta_j.
 template <class T>
-BondMotion<T> bond_motion(Vector2<T> D, T l, Vector2<T> du, T turn) {
+DEMLUA_INLINE BondMotion<T> bond_motion(Vector2<T> D, T l, Vector2<T> du, T turn) {
     const Vector2<T> span = D + du;
     const T d = square_root(dot(span, span));
     const T along = dot(D, du);

@@ -24,6 +24,7 @@ struct Elastic {
     template <class T>
     struct History {
         static constexpr std::array<T History::*, 0> members{};
+        friend constexpr bool operator==(const History&, const History&) = default;
     };
 
     static constexpr Params derive(ContactStiffness k) { return {k.normal, k.shear}; }

@@ -25,17 +25,15 @@ struct Plateau {
     static constexpr const char* name = "plateau";
     static constexpr bool breaks = true;
 
-    /// Forces and displacements follow from the mean radius R of a bond: fn_crit = fn_per_radius R,
-    /// d_max = opening + d_crit_per_radius R / 2, and the same in shear.
+    /// Displacements follow from the mean radius R of a bond: yield at stretch_per_radius R, where fn = fn_crit, and
+    /// d_max = opening + stretch_per_radius R / 2; the same in shear.
     struct Params {
-        double Kn = 0.0;                  ///< N/m
-        double Kt = 0.0;                  ///< N/m
-        double fn_per_radius = 0.0;       ///< N/m
-        double ft_per_radius = 0.0;       ///< N/m
-        double opening = 0.0;             ///< m, plastic part of d_max
-        double half_stretch_per_radius = 0.0; ///< d_crit/(2R)
+        double Kn = 0.0;                 ///< N/m
+        double Kt = 0.0;                 ///< N/m
+        double stretch_per_radius = 0.0; ///< fn_crit/(Kn R)
+        double shear_per_radius = 0.0;   ///< ft_crit/(Kt R)
+        double opening = 0.0;            ///< m, plastic part of d_max
         double slip = std::numeric_limits<double>::infinity(); ///< m, plastic part of the greatest shear
-        double half_shear_per_radius = 0.0;
     };
 
     template <class T>
@@ -44,6 +42,7 @@ struct Plateau {
         T shear{};   ///< plastic shear displacement, m
         T work{};    ///< plastic work, J
         static constexpr std::array<T History::*, 3> members{&History::stretch, &History::shear, &History::work};
+        friend constexpr bool operator==(const History&, const History&) = default;
     };
 
     /// `strength` in Pa and `toughness` in Pa m^0.5, both positive; `rate_factor` multiplies strength and fracture energy.
@@ -52,40 +51,39 @@ struct Plateau {
         const double nu = plane.poissons_ratio;
         const double common = thickness * strength * rate_factor / (2.0 * (1.0 - nu));
         const double fracture_energy = rate_factor * toughness * toughness / plane.youngs_modulus;
+        const double fn_per_radius = common * (std::numbers::sqrt3 - nu * std::numbers::inv_sqrt3);
+        const double ft_per_radius = common * (1.0 - 3.0 * nu);
         Params p;
         p.Kn = k.normal;
         p.Kt = k.shear;
-        p.fn_per_radius = common * (std::numbers::sqrt3 - nu * std::numbers::inv_sqrt3);
-        p.ft_per_radius = common * (1.0 - 3.0 * nu);
-        p.opening = fracture_energy * 2.0 * thickness / p.fn_per_radius;
-        p.half_stretch_per_radius = 0.5 * p.fn_per_radius / k.normal;
-        if (break_in_shear && p.ft_per_radius > 0.0) {
-            p.slip = fracture_energy * 2.0 * thickness / p.ft_per_radius;
-            p.half_shear_per_radius = 0.5 * p.ft_per_radius / k.shear;
-        }
+        p.stretch_per_radius = fn_per_radius / k.normal;
+        p.opening = fracture_energy * 2.0 * thickness / fn_per_radius;
+        // At the limit of Poisson's ratio there is neither stiffness nor strength in shear.
+        if (k.shear <= 0.0) return p;
+        p.shear_per_radius = ft_per_radius / k.shear;
+        if (break_in_shear) p.slip = fracture_energy * 2.0 * thickness / ft_per_radius;
         return p;
     }
 
     template <class T>
     static BondForce<T> respond(const Params& p, T radius, const BondMotion<T>& motion, History<T>& history) {
-        const T fn_crit = p.fn_per_radius * radius;
-        const T ft_crit = p.ft_per_radius * radius;
-        const T fn_trial = p.Kn * (motion.stretch - history.stretch);
-        const T ft_trial = p.Kt * (motion.shear - history.shear);
-        const T fn = smaller(fn_trial, fn_crit);
-        const T ft = clamped(ft_trial, ft_crit);
-        const T opened = select(fn_trial > fn, (fn_trial - fn) / p.Kn, T{});
-        const T slipped = select(magnitude(ft_trial) > ft_crit, (ft_trial - ft) / p.Kt, T{});
+        const T stretch = motion.stretch - history.stretch;
+        const T shear = motion.shear - history.shear;
+        const T held_stretch = smaller(stretch, p.stretch_per_radius * radius);
+        const T held_shear = clamped(shear, p.shear_per_radius * radius);
+        const BondForce<T> force{p.Kn * held_stretch, p.Kt * held_shear};
+        const T opened = stretch - held_stretch;
+        const T slipped = shear - held_shear;
         history.stretch += opened;
         history.shear += slipped;
-        history.work += fn * opened + ft * slipped;
-        return {fn, ft};
+        history.work += force.normal * opened + force.shear * slipped;
+        return force;
     }
 
     template <class T>
     static bool broken(const Params& p, T radius, const BondMotion<T>& motion, const History<T>& /*history*/) {
-        return motion.stretch > p.opening + p.half_stretch_per_radius * radius ||
-               magnitude(motion.shear) > p.slip + p.half_shear_per_radius * radius;
+        return motion.stretch > p.opening + 0.5 * p.stretch_per_radius * radius ||
+               magnitude(motion.shear) > p.slip + 0.5 * p.shear_per_radius * radius;
     }
 
     /// Share of the way from first yield to breaking, 0 to 1.

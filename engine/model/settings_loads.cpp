@@ -149,7 +149,7 @@ const WordOf<Probe>& probe() {
 const WordOf<HistorySaid>& history() {
     static const WordOf<HistorySaid> made = word<HistorySaid>(
         "sim:history", "Adds columns to the history. What several calls ask adds up and stays in force for later runs.",
-        "",
+        "a history",
         R"(sim:history { every = 1e-5, speed = function(now) return now.body.shot.velocity.y end, stress = "stress_yy" })",
         {row<&HistorySaid::every>("every", "s", required, positive, "time between rows")},
         "a column: a function of `now` that returns a number, or the name of an element field, read over all elements");
@@ -159,8 +159,8 @@ const WordOf<HistorySaid>& history() {
 const WordOf<OutputSaid>& output() {
     static const WordOf<OutputSaid> made = word<OutputSaid>(
         "sim:output",
-        "Asks for frames of elements and bonds. What several calls ask adds up and stays in force for later runs.", "",
-        "sim:output { every = 1e-4 }",
+        "Asks for frames of elements and bonds. What several calls ask adds up and stays in force for later runs.",
+        "an output", "local frames = sim:output { every = 1e-4 }",
         {row<&OutputSaid::every>("every", "s", required, positive, "time between frames")});
     return made;
 }
@@ -168,8 +168,8 @@ const WordOf<OutputSaid>& output() {
 const WordOf<EverySaid>& every() {
     static const WordOf<EverySaid> made = word<EverySaid>(
         "sim:every",
-        "Calls a function between steps: it may read, change loads and velocities, or stop the run. It stays in "
-        "force for later runs.",
+        "Calls a function between steps: it may read, change loads, velocities and outputs, write a frame, or stop "
+        "the run. It stays in force for later runs.",
         "", R"(sim:every { 1e-3, function(now) if now.broken_bonds > 100 then now:stop("cracked") end end })",
         {row<&EverySaid::interval>("interval", "s", required, positive, "time between calls").at(1),
          row<&EverySaid::act>("act", required, "called with `now`").at(2)});

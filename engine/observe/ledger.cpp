@@ -17,7 +17,7 @@ struct Motion {
     double damped = 0.0;
 
     void add(const state::State& state, double v, double force, double mass) {
-        const double next = step::kicked(v, force, 1.0 / mass, state.alpha, state.dt);
+        const double next = step::Kick(state.alpha, state.dt)(v, force, 1.0 / mass);
         kinetic += 0.5 * mass * v * next;
         damped += 0.5 * state.dt * state.alpha * mass * 0.5 * (v + next) * v;
     }
@@ -85,16 +85,17 @@ Vec2 velocity_now(const state::State& state, std::size_t element) {
     const Vec2 v = elements.velocity(element);
     if (state.bodies[elements.body[element]].rigid) return v;
     const double inverse_mass = elements.inverse_mass[element];
-    return 0.5 * (v + Vec2{step::kicked(v.x, elements.fx[element], inverse_mass, state.alpha, state.dt),
-                           step::kicked(v.y, elements.fy[element], inverse_mass, state.alpha, state.dt)});
+    const step::Kick kicked(state.alpha, state.dt);
+    return 0.5 * (v + Vec2{kicked(v.x, elements.fx[element], inverse_mass),
+                           kicked(v.y, elements.fy[element], inverse_mass)});
 }
 
 double spin_now(const state::State& state, std::size_t element) {
     const state::Elements& elements = state.elements;
     const double spin = elements.spin[element];
     if (state.bodies[elements.body[element]].rigid) return spin;
-    return 0.5 * (spin + step::kicked(spin, elements.moment[element], elements.inverse_inertia[element], state.alpha,
-                                      state.dt));
+    const step::Kick kicked(state.alpha, state.dt);
+    return 0.5 * (spin + kicked(spin, elements.moment[element], elements.inverse_inertia[element]));
 }
 
 Ledger ledger_of(const state::State& state) {
@@ -140,8 +141,9 @@ Momentum momentum_of(const state::State& state) {
         }
     }
     for (const state::RigidBody& rigid : state.rigid_bodies) {
+        const step::Kick kicked(state.alpha, state.dt);
         const auto now = [&](double v, double force, double inertia) {
-            return 0.5 * (v + step::kicked(v, force, 1.0 / inertia, state.alpha, state.dt));
+            return 0.5 * (v + kicked(v, force, 1.0 / inertia));
         };
         add(rigid.mass, rigid.inertia, rigid.centre + rigid.displacement,
             {now(rigid.velocity.x, rigid.force.x, rigid.mass), now(rigid.velocity.y, rigid.force.y, rigid.mass)},

@@ -38,6 +38,7 @@ constexpr int attempts = 60;             ///< with a squeeze and a shake before 
 constexpr double squeeze = 0.12;         ///< by which radii are too large for a while, as a share
 constexpr double shake = 1.0;            ///< farthest that a shake throws a cluster along each axis
 constexpr double fading = 0.95;          ///< strength of a squeeze and shake over that of the one before
+constexpr double setback = 0.05;         ///< a shake that makes the largest overlap grow by more is undone
 constexpr int squeeze_moves = 100;       ///< how long a squeeze lasts
 constexpr double shrinking = 0.005;      ///< steps of the radius when looking for what does fit, as a share
 constexpr int most_shrinks = 100;        ///< after which the search ends
@@ -109,6 +110,8 @@ public:
 
     [[nodiscard]] double radius() const { return radius_; }
     [[nodiscard]] const std::vector<Vec2>& disks() const { return disks_; }
+    [[nodiscard]] const std::vector<Motion>& places() const { return places_; }
+    void put_back(const std::vector<Motion>& places);
 
     /// Puts clusters of disks of `radius` (m) with their middles at `middles`, turned at random.
     void put_down(const std::vector<Vec2>& middles, double radius, std::uint64_t seed);
@@ -123,6 +126,9 @@ public:
     /// Moves until no overlap exceeds `overlap` (in radii), at most `moves` times; returns the largest left
     /// (in radii).
     double settle(double overlap, int moves);
+
+    /// How many pairs of touching disks of one cluster have a wall pass between them.
+    [[nodiscard]] std::size_t torn_pairs() const;
 
 private:
     struct Pair {
@@ -169,6 +175,11 @@ void Growth::put_down(const std::vector<Vec2>& middles, double radius, std::uint
     set_disks();
 }
 
+void Growth::put_back(const std::vector<Motion>& places) {
+    places_ = places;
+    set_disks();
+}
+
 void Growth::set_disks() {
     std::size_t disk = 0;
     for (const Motion& place : places_) {
@@ -186,12 +197,33 @@ void Growth::grow_to(double radius) {
 
 void Growth::throw_about(double reach, std::uint64_t seed, std::uint64_t round) {
     const std::uint64_t stream = shakes + 3 * round;
+    const std::vector<Motion> places = places_;
+    const std::vector<Vec2> disks = disks_;
     for (std::size_t k = 0; k < places_.size(); ++k) {
         const Vec2 share{uniform(seed, stream, k) - 0.5, uniform(seed, stream + 1, k) - 0.5};
         places_[k].shift += 2.0 * reach * share;
         places_[k].turn += 2.0 * reach * (uniform(seed, stream + 2, k) - 0.5);
     }
     set_disks();
+    for (std::size_t k = 0; k < disks.size(); ++k) {
+        const bool may_cross = norm(disks_[k] - disks[k]) > -region_.distance(disks[k]);
+        if (may_cross) places_[k / shape_.size()] = places[k / shape_.size()];
+    }
+    set_disks();
+}
+
+std::size_t Growth::torn_pairs() const {
+    std::size_t torn = 0;
+    constexpr double least = 0.1; // in radii: where disks touch, only the tip of a wall can come this near
+    for (std::size_t first = 0; first < disks_.size(); first += shape_.size()) {
+        for (std::size_t a = first; a < first + shape_.size(); ++a) {
+            for (std::size_t b = first; b < a; ++b) {
+                if (norm(disks_[a] - disks_[b]) > 2.1 * radius_) continue;
+                if (region_.distance(0.5 * (disks_[a] + disks_[b])) > -least * radius_) ++torn;
+            }
+        }
+    }
+    return torn;
 }
 
 bool Growth::lists_hold() const {
@@ -403,17 +435,27 @@ Middles spread(const model::Region& region, double area, std::size_t count, doub
     return {circles.disks(), circle};
 }
 
-/// Settles a pack grown to `radius` and returns the largest overlap left. A pack that has jammed is squeezed,
-/// shaken and let go, which rearranges it and keeps it from ordering.
+/// Settles a pack grown to `radius` and returns the largest overlap left. A pack that has jammed is squeezed, shaken
+/// and let go, which rearranges it and keeps it from ordering. A shake may also lock clusters into each other or
+/// push one astride a thin wall; then it did not happen.
 double press(Growth& pack, double radius, std::uint64_t seed) {
     double left = pack.settle(final_overlap, final_moves);
+    std::size_t torn = pack.torn_pairs();
     double strength = 1.0;
     for (std::uint64_t k = 1; k < attempts && left > final_overlap; ++k, strength *= fading) {
+        const std::vector<Motion> before = pack.places();
         pack.grow_to((1.0 + strength * squeeze) * radius);
         pack.throw_about(strength * shake * radius, seed, k);
         pack.settle(0.0, squeeze_moves);
         pack.grow_to(radius);
-        left = pack.settle(final_overlap, final_moves);
+        const double now = pack.settle(final_overlap, final_moves);
+        const std::size_t torn_now = pack.torn_pairs();
+        if (now > left + setback || torn_now > torn) {
+            pack.put_back(before);
+        } else {
+            left = now;
+            torn = torn_now;
+        }
     }
     return left;
 }

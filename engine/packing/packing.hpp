@@ -38,9 +38,10 @@ double consolidated_radius(const model::Region& region, const Consolidation& set
 /// against the region's boundary until no overlap exceeds a few hundredths of a radius. Same seed, same pack.
 /// Every disk lies inside the region to within that overlap. Elements are numbered by position (bands along
 /// the longer side of the box) so that neighbours stand close in memory; clusters are numbered by their first
-/// element. Large packs reach a solid fraction of about 0.84 (clusters of 1 and 2), 0.83 (3), 0.79 (4), 0.77
-/// (7), small ones less, because walls take room. Throws RunError where more is asked, saying what fits; an
-/// empty region, or one too small for one cluster of `radius`, gives an empty packing.
+/// element. Large packs reach a solid fraction of about 0.85 (clusters of 1 and 2), 0.84 (3), 0.81 (4), 0.79 (7),
+/// ordering more and more as they come near it; small ones reach less, because walls take room. Throws RunError
+/// where more is asked, saying what fits; an empty region, or one too small for one cluster of `radius`, gives an
+/// empty packing.
 Packing consolidated(const model::Region& region, const Consolidation& settings);
 
 } // namespace demlua::packing

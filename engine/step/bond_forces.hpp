@@ -11,7 +11,7 @@ namespace demlua::step {
 
 /// Kinematics of one bond in the present configuration.
 template <class Law>
-law::BondMotion<double> motion_of(const state::BondSet<Law>& bonds, const state::Elements& elements, std::size_t k) {
+DEMLUA_INLINE law::BondMotion<double> motion_of(const state::BondSet<Law>& bonds, const state::Elements& elements, std::size_t k) {
     const std::size_t i = bonds.i[k];
     const std::size_t j = bonds.j[k];
     const double s = bonds.share_i[k];
@@ -58,9 +58,11 @@ void bond_forces(state::BondSet<Law>& bonds, const state::Elements& elements, do
     for (std::size_t k = part.begin; k < part.end; ++k) {
         if (bonds.is_broken(k)) continue;
         const law::BondMotion<double> motion = motion_of(bonds, elements, k);
-        auto history = bonds.history.at(k);
+        const auto before = bonds.history.at(k);
+        auto history = before;
         law::BondForce<double> force = Law::respond(bonds.params, bonds.radius[k], motion, history);
-        bonds.history.store(k, history);
+        // Most bonds never yield: their lines of memory need not be written back.
+        if (history != before) bonds.history.store(k, history);
         if (damped) add_dashpots(bonds, k, rates_of(bonds, elements, k, motion), dt, force);
         if constexpr (Law::breaks) {
             if (Law::broken(bonds.params, bonds.radius[k], motion, history)) {

@@ -53,17 +53,17 @@ void clear_forces(state::State& state, Team& team) {
 
 void kick(state::State& state, Team& team) {
     state::Elements& elements = state.elements;
-    const double alpha = state.alpha;
-    const double dt = state.dt;
-    std::vector<double> spent(alpha > 0.0 ? elements.size() : 0);
+    const Kick kicked(state.alpha, state.dt);
+    const bool damped = state.alpha > 0.0;
+    std::vector<double> spent(damped ? elements.size() : 0);
     share_free(state, team, [&](Share part) {
         for (std::size_t k = part.begin; k < part.end; ++k) {
             const Vec2 v = elements.velocity(k);
             const double spin = elements.spin[k];
-            elements.vx[k] = kicked(v.x, elements.fx[k], elements.inverse_mass[k], alpha, dt);
-            elements.vy[k] = kicked(v.y, elements.fy[k], elements.inverse_mass[k], alpha, dt);
-            elements.spin[k] = kicked(spin, elements.moment[k], elements.inverse_inertia[k], alpha, dt);
-            if (alpha > 0.0) spent[k] = damping_work(state, k, v, spin);
+            elements.vx[k] = kicked(v.x, elements.fx[k], elements.inverse_mass[k]);
+            elements.vy[k] = kicked(v.y, elements.fy[k], elements.inverse_mass[k]);
+            elements.spin[k] = kicked(spin, elements.moment[k], elements.inverse_inertia[k]);
+            if (damped) spent[k] = damping_work(state, k, v, spin);
         }
     });
     for (const double work : spent) state.booked.mass_damping += work;
@@ -110,13 +110,14 @@ void gather_rigid(state::State& state) {
 Drift move_rigid(state::State& state, double greatest_move) {
     state::Elements& elements = state.elements;
     const double dt = state.dt;
+    const Kick kicked(state.alpha, dt);
     Drift found;
     for (state::RigidBody& rigid : state.rigid_bodies) {
         const Vec2 v = rigid.velocity;
         const double spin = rigid.spin;
-        rigid.velocity = {kicked(v.x, rigid.force.x, 1.0 / rigid.mass, state.alpha, dt),
-                          kicked(v.y, rigid.force.y, 1.0 / rigid.mass, state.alpha, dt)};
-        rigid.spin = kicked(spin, rigid.moment, 1.0 / rigid.inertia, state.alpha, dt);
+        rigid.velocity = {kicked(v.x, rigid.force.x, 1.0 / rigid.mass),
+                          kicked(v.y, rigid.force.y, 1.0 / rigid.mass)};
+        rigid.spin = kicked(spin, rigid.moment, 1.0 / rigid.inertia);
         const Vec2 mean = 0.5 * (v + rigid.velocity);
         const double mean_spin = 0.5 * (spin + rigid.spin);
         state.booked.mass_damping +=

@@ -9,11 +9,19 @@
 
 namespace demlua::step {
 
-/// Velocity half a step after the present instant of something with velocity `v` half a step before it.
-inline double kicked(double v, double force, double inverse_mass, double alpha, double dt) {
-    const double a = 0.5 * alpha * dt;
-    return ((1.0 - a) * v + dt * force * inverse_mass) / (1.0 + a);
-}
+/// What a kick does: v+ = keep v- + gain f/m.
+struct Kick {
+    double keep;
+    double gain; ///< s
+
+    Kick(double alpha, double dt)
+        : keep((1.0 - 0.5 * alpha * dt) / (1.0 + 0.5 * alpha * dt)), gain(dt / (1.0 + 0.5 * alpha * dt)) {}
+
+    /// Velocity half a step after the present instant of something with velocity `v` half a step before it.
+    [[nodiscard]] double operator()(double v, double force, double inverse_mass) const {
+        return keep * v + gain * (force * inverse_mass);
+    }
+};
 
 /// Force that takes velocity `v` to `target` in a kick.
 inline double force_for(double v, double target, double mass, double alpha, double dt) {

@@ -119,8 +119,9 @@ void start(state::State& state, Stepper& stepper) {
 void change_step(state::State& state, double dt) {
     const double old = std::exchange(state.dt, dt);
     state::Elements& elements = state.elements;
+    const Kick kicked(state.alpha, old);
     const auto shifted = [&](double v, double force, double inverse_mass) {
-        const double now = 0.5 * (v + kicked(v, force, inverse_mass, state.alpha, old));
+        const double now = 0.5 * (v + kicked(v, force, inverse_mass));
         return (1.0 + 0.5 * state.alpha * dt) * now - 0.5 * dt * force * inverse_mass;
     };
     for (std::size_t k = 0; k < elements.size(); ++k) {
