@@ -34,7 +34,7 @@ local p = dem.param {
   bond_damping       = { 0.02, help = "fraction of critical" },
   search             = { 0.1, help = "share of the radius across which elements are bonded" },
 
-  step_fraction      = { 0.8, help = "share of the critical time step" },
+  step_fraction      = { 0.9, help = "share of the critical time step" },
   history_every      = { 1e-5, "s" },
   frame_every        = { 1e-3 / 6, "s" },
 }

@@ -46,7 +46,8 @@ void declare(CLI::App& app, Words& words) {
         ->allow_extra_args(false);
     app.add_option("-o,--output", words.folder, "Folder to write into; else the scene's name with .out")
         ->type_name("DIR");
-    app.add_option("--threads", words.threads, "1 to 256; else as many as there are processors")->type_name("N");
+    app.add_option("--threads", words.threads, "1 to 256; else as many as there are processors and work for")
+        ->type_name("N");
     app.add_flag("--check", words.check, "Say whether the scene is right; run nothing");
     app.add_flag("--explain", words.explain, "Assemble the scene and say what a run would do; run nothing");
     app.add_flag("--quiet", words.quiet, "Show only errors and what the scene prints");
@@ -93,10 +94,7 @@ void read_overrides(const std::vector<std::string>& set, CommandLine& line, std:
 }
 
 void read_threads(const std::string& word, CommandLine& line, std::vector<Problem>& problems) {
-    if (word.empty()) {
-        line.threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, most_threads);
-        return;
-    }
+    if (word.empty()) return;
     const char* end = word.data() + word.size();
     const auto [rest, error] = std::from_chars(word.data(), end, line.threads);
     if (error != std::errc() || rest != end || line.threads < 1 || line.threads > most_threads) {

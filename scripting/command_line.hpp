@@ -21,7 +21,7 @@ struct CommandLine {
     std::filesystem::path scene;
     Overrides overrides;
     std::filesystem::path folder; ///< where the run goes: -o, else the scene's name with .out
-    int threads = 1;
+    int threads = 0;              ///< 0: as many as there are processors and work for
     bool quiet = false;
     bool overwrite = false;
 };

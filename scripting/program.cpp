@@ -69,8 +69,8 @@ int check(const CommandLine& line, Terminal& terminal) {
 int explain(const CommandLine& line, Terminal& terminal) {
     const SceneSummary scene = check_scene(line.scene, line.overrides);
     const observe::Simulation simulation(scene.scene, line.threads);
-    for (const auto& fact : scene_facts(scene.scene, simulation, line.threads)) terminal.say(fact);
-    for (const auto& run : scene.runs) terminal.say(run_outlook(simulation, run.duration, line.threads));
+    for (const auto& fact : scene_facts(scene.scene, simulation)) terminal.say(fact);
+    for (const auto& run : scene.runs) terminal.say(run_outlook(simulation, run.duration));
     return exit_done;
 }
 

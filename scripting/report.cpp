@@ -15,14 +15,8 @@ namespace {
 /// A bonded element on one core, contacts and output included: good for the order of magnitude only, the progress line
 /// measures.
 constexpr double typical_cost = 200e-9; // s per element and step
-/// A thread with fewer elements than this spends its gain on waiting for the others.
-constexpr double elements_worth_a_thread = 1500.0;
 /// Shares below this are left out of the energy line.
 constexpr double least_share = 0.005;
-
-double useful_threads(double elements, int threads) {
-    return std::clamp(elements / elements_worth_a_thread, 1.0, static_cast<double>(threads));
-}
 
 std::string text_of(const std::variant<double, bool, std::string>& value) {
     if (const auto* number = std::get_if<double>(&value)) return fmt::format("{:.6g}", *number);
@@ -32,12 +26,12 @@ std::string text_of(const std::variant<double, bool, std::string>& value) {
 
 } // namespace
 
-std::vector<std::string> scene_facts(const model::Scene& scene, const observe::Simulation& simulation, int threads) {
+std::vector<std::string> scene_facts(const model::Scene& scene, const observe::Simulation& simulation) {
     std::vector<std::string> lines;
     if (!scene.title.empty()) lines.push_back(scene.title);
     lines.push_back(fmt::format("{}, {}, {}", counted(simulation.element_count(), "element"),
                                 counted(simulation.bond_count(), "bond"),
-                                counted(static_cast<std::uint64_t>(threads), "thread")));
+                                counted(static_cast<std::uint64_t>(simulation.threads()), "thread")));
     lines.push_back(simulation.schedule());
     lines.push_back(
         fmt::format("time step {}: {}", with_prefix(simulation.time_step(), "s"), simulation.time_step_reason()));
@@ -45,11 +39,11 @@ std::vector<std::string> scene_facts(const model::Scene& scene, const observe::S
     return lines;
 }
 
-std::string run_outlook(const observe::Simulation& simulation, double duration, int threads) {
+std::string run_outlook(const observe::Simulation& simulation, double duration) {
     // A quotient that rounding has put just above a whole number is that number.
     const double steps = std::ceil(duration / simulation.time_step() * (1.0 - 1e-9));
     const auto elements = static_cast<double>(simulation.element_count());
-    const double estimate = steps * elements * typical_cost / useful_threads(elements, threads);
+    const double estimate = steps * elements * typical_cost / simulation.threads();
     return fmt::format("{} in {}: about {}", with_prefix(duration, "s"),
                        counted(static_cast<std::uint64_t>(steps), "step"), scripting::duration(estimate));
 }

@@ -13,10 +13,10 @@
 namespace demlua::scripting {
 
 /// What an assembled scene is: title, counts, stages, time step and its reason, notes.
-std::vector<std::string> scene_facts(const model::Scene& scene, const observe::Simulation& simulation, int threads);
+std::vector<std::string> scene_facts(const model::Scene& scene, const observe::Simulation& simulation);
 
 /// "6 ms in 50,000 steps: about 30 s", from the number of elements at a typical cost of each.
-std::string run_outlook(const observe::Simulation& simulation, double duration, int threads);
+std::string run_outlook(const observe::Simulation& simulation, double duration);
 
 /// A scene that was only read, in one line.
 std::string scene_in_a_line(const SceneSummary& scene);

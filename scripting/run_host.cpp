@@ -113,7 +113,7 @@ void RunHost::begin_run(const model::Scene& scene, const RunRequest& request) {
         simulation_->take_in(scene);
         inputs_ = output::inputs_json(scene, *simulation_);
     }
-    terminal_.say(run_outlook(*simulation_, request.duration, settings_.threads));
+    terminal_.say(run_outlook(*simulation_, request.duration));
 }
 
 void RunHost::start(const model::Scene& scene) {
@@ -124,7 +124,7 @@ void RunHost::start(const model::Scene& scene) {
     settings_.folder.open(settings_.scene_text);
     writer_ = std::make_unique<output::Writer>(settings_.folder);
     terminal_.attach(*writer_);
-    for (const auto& line : scene_facts(scene, *simulation_, settings_.threads)) terminal_.say(line);
+    for (const auto& line : scene_facts(scene, *simulation_)) terminal_.say(line);
     terminal_.say(fmt::format("writing to {}", settings_.folder.path().string()));
 }
 
@@ -227,7 +227,7 @@ output::Summary RunHost::summary(const output::SummaryEnding& ending) const {
     summary.scene_file = settings_.scene_file;
     summary.inputs = inputs_;
     summary.ending = ending;
-    summary.threads = settings_.threads;
+    summary.threads = simulation_ ? simulation_->threads() : 0;
     summary.parameters = for_summary(settings_.parameters);
     summary.results = results_;
     summary.figures = last_row_;

@@ -24,7 +24,7 @@ struct RunSettings {
     std::string scene_file;
     std::string scene_text;
     std::vector<Parameter> parameters;
-    int threads = 1;
+    int threads = 0;           ///< 0: as many as there are processors and work for
     double reading_time = 0.0; ///< s
 };
 

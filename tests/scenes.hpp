@@ -31,7 +31,8 @@ inline model::Scene scene_of(const model::Material& material) {
 }
 
 /// A body of disks put down one by one.
-inline model::Body disks(const std::string& name, const std::vector<model::Disk>& list, const model::BondChoice& bonds) {
+inline model::Body disks(const std::string& name, const std::vector<model::Disk>& list,
+                         const model::BondChoice& bonds) {
     model::Body body;
     body.name = name;
     body.packing = model::ListedDisks{list};

@@ -76,17 +76,16 @@ TEST_CASE("two bonded elements oscillate with the period of two masses on a spri
     double before = 0.0;
     double time_before = 0.0;
     sim.run(10.2 * period, {test::watching(0.0, [&](observe::Simulation& now) {
-        const auto x = now.field("displacement_x", {});
-        const double stretch = x[1] - x[0];
-        if (before < 0.0 && stretch >= 0.0) {
-            crossings.push_back(time_before - before * (now.time() - time_before) / (stretch - before));
-        }
-        before = stretch;
-        time_before = now.time();
-    })});
+                const auto x = now.field("displacement_x", {});
+                const double stretch = x[1] - x[0];
+                if (before < 0.0 && stretch >= 0.0) {
+                    crossings.push_back(time_before - before * (now.time() - time_before) / (stretch - before));
+                }
+                before = stretch;
+                time_before = now.time();
+            })});
     REQUIRE(crossings.size() >= 9);
-    const double measured =
-        (crossings.back() - crossings.front()) / static_cast<double>(crossings.size() - 1);
+    const double measured = (crossings.back() - crossings.front()) / static_cast<double>(crossings.size() - 1);
     CHECK(measured == Approx(period).epsilon(1e-4));
     CHECK(std::fabs(sim.ledger().error) < 1e-9 * 0.5 * m * speed * speed);
 }
@@ -102,11 +101,11 @@ TEST_CASE("a pulled bond follows the plateau, breaks at d_max, and has spent G_f
     double largest_force = 0.0;
     double broke_at = 0.0;
     sim.run(25e-3, {test::watching(0.0, [&](observe::Simulation& now) {
-        const observe::Snapshot seen = now.snapshot();
-        largest_force = std::max(largest_force, std::get<std::vector<double>>(seen.bond_fields[0].values)[0]);
-        broke_at = now.field("displacement_x", {})[1];
-        if (now.broken_bonds() > 0) now.stop("broken");
-    })});
+                const observe::Snapshot seen = now.snapshot();
+                largest_force = std::max(largest_force, std::get<std::vector<double>>(seen.bond_fields[0].values)[0]);
+                broke_at = now.field("displacement_x", {})[1];
+                if (now.broken_bonds() > 0) now.stop("broken");
+            })});
     CHECK(largest_force == Approx(19151.5).epsilon(1e-5));
     CHECK(broke_at == Approx(17.9718e-6).epsilon(1e-4));
     const observe::Ledger energy = sim.ledger();
@@ -130,13 +129,13 @@ TEST_CASE("a bonded block that spins a hundred turns keeps its energy and angula
     double first_momentum = 0.0;
     double momentum_drift = 0.0;
     sim.run(110.0 * turn, {test::watching(turn / 64.0, [&](observe::Simulation& now) {
-        const observe::Ledger energy = now.ledger();
-        const double angular = now.momentum().angular;
-        if (now.time() < 10.0 * turn) early.push_back(energy.kinetic + energy.bonds);
-        if (now.time() >= 100.0 * turn) late.push_back(energy.kinetic + energy.bonds);
-        if (now.step() == 0) first_momentum = angular;
-        momentum_drift = std::max(momentum_drift, std::fabs(angular / first_momentum - 1.0));
-    })});
+                const observe::Ledger energy = now.ledger();
+                const double angular = now.momentum().angular;
+                if (now.time() < 10.0 * turn) early.push_back(energy.kinetic + energy.bonds);
+                if (now.time() >= 100.0 * turn) late.push_back(energy.kinetic + energy.bonds);
+                if (now.step() == 0) first_momentum = angular;
+                momentum_drift = std::max(momentum_drift, std::fabs(angular / first_momentum - 1.0));
+            })});
     CHECK(sim.field("rotation", {})[0] > 109.0 * 2.0 * std::numbers::pi);
     CHECK(mean(late) == Approx(mean(early)).epsilon(1e-8));
     CHECK(momentum_drift < 1e-11);

@@ -57,10 +57,10 @@ TEST_CASE("a head-on contact reaches the overlap and duration of a linear spring
     double deepest = 0.0;
     double touching = 0.0;
     sim.run(3e-4, {test::watching(0.0, [&](observe::Simulation& now) {
-        const double gap = now.body_motion(1).centre.x - now.body_motion(0).centre.x;
-        deepest = std::max(deepest, 2.0 * R - gap);
-        if (gap < 2.0 * R) touching += now.time_step();
-    })});
+                const double gap = now.body_motion(1).centre.x - now.body_motion(0).centre.x;
+                deepest = std::max(deepest, 2.0 * R - gap);
+                if (gap < 2.0 * R) touching += now.time_step();
+            })});
     const double m = sim.body_motion(0).mass;
     const double K = law::contact_stiffness(law::plane_moduli(29.7e9, 0.3, false), 1.0).normal;
     const double time = std::sqrt(0.5 * m / K);

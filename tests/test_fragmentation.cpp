@@ -75,16 +75,16 @@ TEST_CASE("a beam in pieces keeps its momentum to round-off and its energy in th
     observe::Momentum first;
     double energy = 0.0;
     sim.run(1.5e-3, {test::watching(1.5e-4, [&](observe::Simulation& now) {
-        const observe::Momentum total = now.momentum();
-        if (now.step() == 0) {
-            first = total;
-            energy = now.ledger().kinetic;
-        }
-        CHECK(norm(total.linear - first.linear) < 1e-10 * norm(first.linear));
-        // About the origin, so that the measure is the size of what cancels.
-        CHECK(std::fabs(total.angular - first.angular) < 1e-10 * norm(first.linear) * 0.6);
-        CHECK(std::fabs(now.ledger().error) < 0.01 * energy);
-    })});
+                const observe::Momentum total = now.momentum();
+                if (now.step() == 0) {
+                    first = total;
+                    energy = now.ledger().kinetic;
+                }
+                CHECK(norm(total.linear - first.linear) < 1e-10 * norm(first.linear));
+                // About the origin, so that the measure is the size of what cancels.
+                CHECK(std::fabs(total.angular - first.angular) < 1e-10 * norm(first.linear) * 0.6);
+                CHECK(std::fabs(now.ledger().error) < 0.01 * energy);
+            })});
     CHECK(sim.broken_bonds() > 200);
     CHECK(sim.fragments() > 20);
     const observe::Ledger spent = sim.ledger();
@@ -110,8 +110,8 @@ TEST_CASE("what watches a run does not change it") {
     quiet.run(1e-4, {});
     observe::Simulation watched(shot_beam(false, true), 1);
     watched.run(1e-4, {test::watching(0.0, [](observe::Simulation& now) {
-        if (now.step() % 7 == 0) (void)now.snapshot();
-    })});
+                    if (now.step() % 7 == 0) (void)now.snapshot();
+                })});
     CHECK(watched.hash() == quiet.hash());
 }
 
@@ -119,14 +119,14 @@ TEST_CASE("no overlapping pair is ever missing from the contact list") {
     observe::Simulation sim(shot_beam(false, true), 1);
     std::size_t seen = 0;
     sim.run(1.2e-3, {test::watching(0.0, [&](observe::Simulation& now) {
-        if (now.step() % 97 != 0) return;
-        const state::Contacts& contacts = now.state().contacts;
-        std::set<std::pair<Index, Index>> listed;
-        for (std::size_t c = 0; c < contacts.size(); ++c) listed.emplace(contacts.i[c], contacts.j[c]);
-        const auto pairs = overlapping_pairs(now.state());
-        seen = std::max(seen, pairs.size());
-        CHECK(std::includes(listed.begin(), listed.end(), pairs.begin(), pairs.end()));
-    })});
+                if (now.step() % 97 != 0) return;
+                const state::Contacts& contacts = now.state().contacts;
+                std::set<std::pair<Index, Index>> listed;
+                for (std::size_t c = 0; c < contacts.size(); ++c) listed.emplace(contacts.i[c], contacts.j[c]);
+                const auto pairs = overlapping_pairs(now.state());
+                seen = std::max(seen, pairs.size());
+                CHECK(std::includes(listed.begin(), listed.end(), pairs.begin(), pairs.end()));
+            })});
     CHECK(seen >= 10);
 }
 
@@ -136,8 +136,8 @@ TEST_CASE("a bond that breaks leaves a contact without a jump in force or energy
     constexpr double R = 5e-3;
     model::Scene scene = test::scene_of(test::concrete());
     scene.step_fraction = 0.1;
-    scene.bodies.push_back(test::disks("pair", {{{0.0, 0.0}, R}, {{1.96 * R, 0.0}, R}},
-                                       model::PlateauBonds{0.1, 0.0, true}));
+    scene.bodies.push_back(
+        test::disks("pair", {{{0.0, 0.0}, R}, {{1.96 * R, 0.0}, R}}, model::PlateauBonds{0.1, 0.0, true}));
     model::Support held;
     held.selection = test::all_of(0);
     held.selection.where = [](Vec2 at) { return at.x < R; };
@@ -153,13 +153,13 @@ TEST_CASE("a bond that breaks leaves a contact without a jump in force or energy
     double before = 0.0;
     double largest_jump = 0.0;
     sim.run(2e-2, {test::watching(0.0, [&](observe::Simulation& now) {
-        const state::State& state = now.state();
-        const auto& bonds = std::get<state::BondSet<law::Plateau>>(state.bond_sets[0]);
-        const double pressure =
-            now.broken_bonds() == 0 ? -bonds.fx[0] : (state.contacts.size() > 0 ? -state.contacts.fx[0] : 0.0);
-        if (now.step() > 0) largest_jump = std::max(largest_jump, std::fabs(pressure - before));
-        before = pressure;
-    })});
+                const state::State& state = now.state();
+                const auto& bonds = std::get<state::BondSet<law::Plateau>>(state.bond_sets[0]);
+                const double pressure =
+                    now.broken_bonds() == 0 ? -bonds.fx[0] : (state.contacts.size() > 0 ? -state.contacts.fx[0] : 0.0);
+                if (now.step() > 0) largest_jump = std::max(largest_jump, std::fabs(pressure - before));
+                before = pressure;
+            })});
     REQUIRE(sim.broken_bonds() == 1);
     const double K = std::get<state::BondSet<law::Plateau>>(sim.state().bond_sets[0]).params.Kn;
     CHECK(largest_jump < 0.05 * K * 1e-6);

@@ -1,6 +1,6 @@
 // The bound on the highest frequency against exact values, and the step on both sides of the limit.
-#include "engine/step/time_step.hpp"
 #include "engine/state/assemble.hpp"
+#include "engine/step/time_step.hpp"
 #include "tests/catch.hpp"
 #include "tests/scenes.hpp"
 

@@ -20,7 +20,8 @@ inline double square_root(double value) { return std::sqrt(value); }
 /// arctangent, whose first term left out is below one unit in the last place.
 DEMLUA_INLINE double angle_of(double cosine, double sine) {
     constexpr double series_limit = 0.02;
-    if (!(std::fabs(sine) < series_limit * cosine)) [[unlikely]] return std::atan2(sine, cosine);
+    if (!(std::fabs(sine) < series_limit * cosine)) [[unlikely]]
+        return std::atan2(sine, cosine);
     const double t = sine / cosine;
     const double q = t * t;
     return t * (1.0 - q * (1.0 / 3.0 - q * (1.0 / 5.0 - q * (1.0 / 7.0 - q * (1.0 / 9.0)))));

@@ -24,8 +24,9 @@ void await_change(const std::atomic<Value>& value, Value old) {
 
 Team::Team(int threads) {
     const auto others = static_cast<std::size_t>(std::max(threads, 1) - 1);
+    taken_.store(static_cast<std::uint32_t>(parts_per_thread * (others + 1)), std::memory_order_relaxed);
     workers_.reserve(others);
-    for (std::size_t k = 0; k < others; ++k) workers_.emplace_back([this, k] { work(k + 1); });
+    for (std::size_t k = 0; k < others; ++k) workers_.emplace_back([this] { work(); });
 }
 
 Team::~Team() {
@@ -39,33 +40,44 @@ void Team::dispatch(std::size_t count, const void* context, Trampoline call) {
     count_ = count;
     context_ = context;
     call_ = call;
-    pending_.store(static_cast<std::uint32_t>(workers_.size()), std::memory_order_relaxed);
+    left_.store(static_cast<std::uint32_t>(parts()), std::memory_order_relaxed);
+    // From here on a worker, even one late from the loop before, may take parts of this loop.
+    taken_.store(0, std::memory_order_release);
     round_.fetch_add(1, std::memory_order_acq_rel);
     round_.notify_all();
-    run_part(0);
-    for (std::uint32_t left = pending_.load(std::memory_order_acquire); left != 0;
-         left = pending_.load(std::memory_order_acquire)) {
-        await_change(pending_, left);
+    while (take_part()) {
+    }
+    for (std::uint32_t left = left_.load(std::memory_order_acquire); left != 0;
+         left = left_.load(std::memory_order_acquire)) {
+        await_change(left_, left);
     }
 }
 
-void Team::work(std::size_t part) {
+void Team::work() {
     std::uint32_t seen = 0;
     while (true) {
         await_change(round_, seen);
-        ++seen;
+        seen = round_.load(std::memory_order_acquire);
         if (stopping_.load(std::memory_order_acquire)) return;
-        run_part(part);
-        pending_.fetch_sub(1, std::memory_order_acq_rel);
-        pending_.notify_one();
+        while (take_part()) {
+        }
     }
+}
+
+bool Team::take_part() {
+    std::uint32_t part = taken_.load(std::memory_order_acquire);
+    do {
+        if (part >= parts()) return false;
+    } while (!taken_.compare_exchange_weak(part, part + 1, std::memory_order_acq_rel, std::memory_order_acquire));
+    run_part(part);
+    if (left_.fetch_sub(1, std::memory_order_acq_rel) == 1) left_.notify_one();
+    return true;
 }
 
 void Team::run_part(std::size_t part) const {
     const std::size_t grains = (count_ + grain - 1) / grain;
-    const std::size_t parts = workers_.size() + 1;
-    const std::size_t begin = std::min(count_, grains * part / parts * grain);
-    const std::size_t end = std::min(count_, grains * (part + 1) / parts * grain);
+    const std::size_t begin = std::min(count_, grains * part / parts() * grain);
+    const std::size_t end = std::min(count_, grains * (part + 1) / parts() * grain);
     call_(context_, Share{begin, end, part});
 }
 

@@ -9,7 +9,7 @@
 
 namespace demlua {
 
-/// Half-open range of one thread's share of a loop; `part` counts the shares from zero in rising index order.
+/// Half-open range of one share of a loop; `part` counts the shares from zero in rising index order.
 struct Share {
     std::size_t begin;
     std::size_t end;
@@ -17,7 +17,8 @@ struct Share {
 };
 
 /// Worker threads that live as long as the team. A loop body must write only what belongs to its own indices;
-/// anything gathered over indices is kept per part and joined in part order, which is index order.
+/// anything gathered over indices is kept per part and joined in part order, which is index order. Parts are taken by
+/// whoever is free: a worker that the machine keeps busy elsewhere is not waited for, its parts go to the others.
 class Team {
 public:
     explicit Team(int threads);
@@ -28,6 +29,9 @@ public:
     Team& operator=(Team&&) = delete;
 
     [[nodiscard]] std::size_t size() const { return workers_.size() + 1; }
+
+    /// The most parts a loop is shared in.
+    [[nodiscard]] std::size_t parts() const { return workers_.empty() ? 1 : parts_per_thread * size(); }
 
     /// Calls `work(Share)` once per part of [0, count) and waits for all. Loops too short to be worth waking a
     /// thread run on the caller as one part. A loop body must not throw.
@@ -43,17 +47,20 @@ public:
 private:
     using Trampoline = void (*)(const void*, Share);
     static constexpr std::size_t shortest_shared_loop = 1024;
+    static constexpr std::size_t parts_per_thread = 2;
     static constexpr std::size_t grain = 8;
 
     void dispatch(std::size_t count, const void* context, Trampoline call);
-    void work(std::size_t part);
+    void work();
+    bool take_part();
     void run_part(std::size_t part) const;
 
     std::size_t count_ = 0;
     const void* context_ = nullptr;
     Trampoline call_ = nullptr;
-    std::atomic<std::uint32_t> round_{0};
-    std::atomic<std::uint32_t> pending_{0};
+    std::atomic<std::uint32_t> round_{0}; ///< loops begun so far
+    std::atomic<std::uint32_t> taken_{0}; ///< parts of the present loop that somebody has taken
+    std::atomic<std::uint32_t> left_{0};  ///< parts of the present loop not done
     std::atomic<bool> stopping_{false};
     std::vector<std::thread> workers_;
 };

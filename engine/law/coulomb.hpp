@@ -70,8 +70,8 @@ struct Coulomb {
         const T held = p.Kt > 0.0 ? select(slips, clamped(p.Kt * stretched, cap) / p.Kt, stretched) : T{};
         const T kept = select(touching, held, T{});
 
-        const T spent = 0.5 * (history.force + shear) * slide -
-                        0.5 * p.Kt * (kept * kept - history.shear * history.shear);
+        const T spent =
+            0.5 * (history.force + shear) * slide - 0.5 * p.Kt * (kept * kept - history.shear * history.shear);
         history.friction += select(slips, spent, T{});
         history.damped += select(slips, T{}, spent) + 0.5 * (history.damping + damping) * (in.closing * dt);
         history.shear = kept;

@@ -24,7 +24,6 @@ struct Elastic {
     template <class T>
     struct History {
         static constexpr std::array<T History::*, 0> members{};
-        friend constexpr bool operator==(const History&, const History&) = default;
     };
 
     static constexpr Params derive(ContactStiffness k) { return {k.normal, k.shear}; }
@@ -32,6 +31,11 @@ struct Elastic {
     template <class T>
     static BondForce<T> respond(const Params& p, T /*radius*/, const BondMotion<T>& motion, History<T>& /*history*/) {
         return {p.Kn * motion.stretch, p.Kt * motion.shear};
+    }
+
+    template <class T>
+    static bool has_yielded(const History<T>& /*before*/, const History<T>& /*now*/) {
+        return false;
     }
 
     template <class T>

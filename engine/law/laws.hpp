@@ -1,5 +1,5 @@
 // The bond laws, one row each. To add one: write its file like elastic.hpp (equation, Params, History, derive, respond,
-// stored_energy; broken and damage if it breaks), put it in this list, give it a choice in model/scene.hpp with its
+// has_yielded, stored_energy; broken and damage if it breaks), put it in this list, give it a choice in model/scene.hpp with its
 // settings, and a line in state/bond_assembly.cpp that derives its Params. Loops, files and ledger follow.
 #pragma once
 

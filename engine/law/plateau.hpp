@@ -28,11 +28,11 @@ struct Plateau {
     /// Displacements follow from the mean radius R of a bond: yield at stretch_per_radius R, where fn = fn_crit, and
     /// d_max = opening + stretch_per_radius R / 2; the same in shear.
     struct Params {
-        double Kn = 0.0;                 ///< N/m
-        double Kt = 0.0;                 ///< N/m
-        double stretch_per_radius = 0.0; ///< fn_crit/(Kn R)
-        double shear_per_radius = 0.0;   ///< ft_crit/(Kt R)
-        double opening = 0.0;            ///< m, plastic part of d_max
+        double Kn = 0.0;                                       ///< N/m
+        double Kt = 0.0;                                       ///< N/m
+        double stretch_per_radius = 0.0;                       ///< fn_crit/(Kn R)
+        double shear_per_radius = 0.0;                         ///< ft_crit/(Kt R)
+        double opening = 0.0;                                  ///< m, plastic part of d_max
         double slip = std::numeric_limits<double>::infinity(); ///< m, plastic part of the greatest shear
     };
 
@@ -42,7 +42,6 @@ struct Plateau {
         T shear{};   ///< plastic shear displacement, m
         T work{};    ///< plastic work, J
         static constexpr std::array<T History::*, 3> members{&History::stretch, &History::shear, &History::work};
-        friend constexpr bool operator==(const History&, const History&) = default;
     };
 
     /// `strength` in Pa and `toughness` in Pa m^0.5, both positive; `rate_factor` multiplies strength and fracture energy.
@@ -78,6 +77,12 @@ struct Plateau {
         history.shear += slipped;
         history.work += force.normal * opened + force.shear * slipped;
         return force;
+    }
+
+    /// Plastic work grows with every plastic displacement.
+    template <class T>
+    static bool has_yielded(const History<T>& before, const History<T>& now) {
+        return now.work > before.work;
     }
 
     template <class T>

@@ -18,7 +18,7 @@ enum class Fit {
 
 /// Hexagonal lattice of equal elements.
 struct ClosePacking {
-    double radius = 0.0;        ///< m
+    double radius = 0.0; ///< m
     Rows rows = Rows::horizontal;
     Fit fit = Fit::inside;
     std::optional<Vec2> origin; ///< a lattice point, m

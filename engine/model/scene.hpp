@@ -112,7 +112,7 @@ struct Traction {
 /// A rigid line of segments. Elements meet it from either side.
 struct Wall {
     std::string name;
-    std::vector<Vec2> path; ///< m, at least two points
+    std::vector<Vec2> path;                                    ///< m, at least two points
     double friction = std::numeric_limits<double>::infinity(); ///< the smaller of wall's and element's counts
     std::optional<Signal> velocity_x;                          ///< m/s
     std::optional<Signal> velocity_y;                          ///< m/s
@@ -156,8 +156,8 @@ struct Scene {
     double thickness = 1.0; ///< m
     Vec2 gravity;           ///< m/s^2
     StepRule step_rule = StepRule::bound;
-    double step_fraction = 0.8;                      ///< of the critical time step
-    double greatest_move = 0.2;                      ///< share of its radius an element may move in a step
+    double step_fraction = 0.8; ///< of the critical time step
+    double greatest_move = 0.2; ///< share of its radius an element may move in a step
     Place place;
 
     std::vector<Material> materials;

@@ -25,8 +25,8 @@ struct Fingerprint {
 std::uint64_t hash_of(const state::State& state) {
     const state::Elements& elements = state.elements;
     Fingerprint print;
-    for (const Column<double>* column : {&elements.ux, &elements.uy, &elements.rotation, &elements.vx, &elements.vy,
-                                         &elements.spin}) {
+    for (const Column<double>* column :
+         {&elements.ux, &elements.uy, &elements.rotation, &elements.vx, &elements.vy, &elements.spin}) {
         print.add(*column);
     }
     for (const state::AnyBondSet& any : state.bond_sets) {

@@ -47,8 +47,7 @@ void add_bonds(const state::State& state, const state::BondSet<Law>& bonds, Ledg
     for (std::size_t k = 0; k < bonds.size(); ++k) {
         const auto history = bonds.history.at(k);
         if (!bonds.is_broken(k)) {
-            ledger.bonds +=
-                Law::stored_energy(bonds.params, step::motion_of(bonds, state.elements, k), history);
+            ledger.bonds += Law::stored_energy(bonds.params, step::motion_of(bonds, state.elements, k), history);
         }
         if constexpr (Law::breaks) ledger.plastic += history.work;
     }
@@ -86,8 +85,8 @@ Vec2 velocity_now(const state::State& state, std::size_t element) {
     if (state.bodies[elements.body[element]].rigid) return v;
     const double inverse_mass = elements.inverse_mass[element];
     const step::Kick kicked(state.alpha, state.dt);
-    return 0.5 * (v + Vec2{kicked(v.x, elements.fx[element], inverse_mass),
-                           kicked(v.y, elements.fy[element], inverse_mass)});
+    return 0.5 *
+           (v + Vec2{kicked(v.x, elements.fx[element], inverse_mass), kicked(v.y, elements.fy[element], inverse_mass)});
 }
 
 double spin_now(const state::State& state, std::size_t element) {

@@ -24,8 +24,8 @@ Component component_named(const std::string& name) {
         if (found != names.end()) return {&field, static_cast<std::size_t>(found - names.begin())};
     }
     const std::vector<std::string> known = measurable_fields();
-    throw SceneError(Problem{Place(), "field", '"' + name + '"', fmt::format("must be one of {}", fmt::join(known, ", ")),
-                             ""});
+    throw SceneError(
+        Problem{Place(), "field", '"' + name + '"', fmt::format("must be one of {}", fmt::join(known, ", ")), ""});
 }
 
 bool any_selected(const model::Selection& selection) {

@@ -16,17 +16,17 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
-#include <optional>
+#include <thread>
 #include <utility>
 
 namespace demlua::observe {
 
 namespace {
 
-/// Rows of State::drives and State::loads that one statement of the scene made.
-struct Rows {
+/// The elements one motion of the scene drives, and its rows of State::drives.
+struct Moved {
+    Column<Index> elements;
     std::vector<std::size_t> drives;
-    std::optional<std::size_t> load;
 };
 
 /// How much of the scene has been taken in.
@@ -34,7 +34,9 @@ struct Taken {
     std::size_t supports = 0;
     std::size_t notches = 0;
     std::size_t dampings = 0;
-    std::vector<Rows> motions, forces, tractions;
+    std::vector<Moved> motions;
+    std::vector<std::size_t> forces;    ///< their rows of State::loads
+    std::vector<std::size_t> tractions; ///< likewise
 };
 
 law::Rayleigh rayleigh_of(const model::Damping& damping) {
@@ -44,11 +46,24 @@ law::Rayleigh rayleigh_of(const model::Damping& damping) {
     return law::rayleigh(damping.fraction, damping.frequency);
 }
 
-/// The step that makes `interval` a whole number of steps, if that costs little; else `longest`.
-double fitted_step(double longest, double interval) {
+/// The longest step up to `longest` that makes the shortest of `intervals` (rising) a whole number of steps; one that would
+/// cost more than a twentieth is passed over, unless it is the last.
+double fitted_step(double longest, const std::vector<double>& intervals) {
     constexpr double fewest_steps = 20.0;
-    const double steps = std::ceil(interval / longest * (1.0 - 1e-12));
-    return steps >= fewest_steps ? interval / steps : longest;
+    double steps = 1.0;
+    for (const double interval : intervals) {
+        steps = std::ceil(interval / longest * (1.0 - 1e-12));
+        if (steps >= fewest_steps) return interval / steps;
+    }
+    return intervals.empty() ? longest : intervals.back() / steps;
+}
+
+/// As many threads as there is work for.
+int thread_count(int asked, std::size_t elements) {
+    constexpr std::size_t elements_worth_a_thread = 3000;
+    if (asked > 0) return asked;
+    const auto useful = static_cast<int>(std::max<std::size_t>(elements / elements_worth_a_thread, 1));
+    return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, useful);
 }
 
 } // namespace
@@ -68,7 +83,8 @@ struct Simulation::Inside {
     std::string stop_reason;
 
     Inside(const model::Scene& said, int threads, const state::State& state, std::vector<std::string> facts)
-        : scene(said), team(threads), stepper(team, state, said.greatest_move), notes(std::move(facts)) {}
+        : scene(said), team(thread_count(threads, state.elements.size())), stepper(team, state, said.greatest_move),
+          notes(std::move(facts)) {}
 };
 
 Simulation::Simulation(const model::Scene& scene, int threads) {
@@ -77,7 +93,7 @@ Simulation::Simulation(const model::Scene& scene, int threads) {
     inside_ = std::make_unique<Inside>(scene, threads, *state_, std::move(assembly.notes));
     take_in(scene);
     step::refresh_contacts(*state_, inside_->stepper.search);
-    prepare(std::numeric_limits<double>::infinity());
+    prepare({});
 }
 
 Simulation::~Simulation() = default;
@@ -112,19 +128,19 @@ void Simulation::take_in(const model::Scene& scene) {
         add_drives(unreplaceable, state::drives_of(scene.supports[taken.supports], *state_));
     }
     for (std::size_t row = taken.motions.size(); row < scene.motions.size(); ++row) {
-        add_drives(taken.motions.emplace_back().drives, state::drives_of(scene.motions[row], *state_));
+        Moved& moved = taken.motions.emplace_back();
+        moved.elements = state::rows_of(scene.motions[row], *state_);
+        add_drives(moved.drives, state::drives_of(scene.motions[row], moved.elements, *state_));
     }
     for (std::size_t row = taken.forces.size(); row < scene.forces.size(); ++row) {
-        taken.forces.push_back({{}, state_->loads.size()});
+        taken.forces.push_back(state_->loads.size());
         state_->loads.push_back(state::load_of(scene.forces[row], *state_));
     }
     for (std::size_t row = taken.tractions.size(); row < scene.tractions.size(); ++row) {
         const model::Traction& traction = scene.tractions[row];
-        Rows& rows = taken.tractions.emplace_back();
-        rows.load = state_->loads.size();
-        state_->loads.push_back(
-            state::load_of(traction, scene.bodies[traction.selection.body.value()], *state_));
-        add_drives(rows.drives, state::drives_of(traction, *state_));
+        taken.tractions.push_back(state_->loads.size());
+        state_->loads.push_back(state::load_of(traction, scene.bodies[traction.selection.body.value()], *state_));
+        add_drives(unreplaceable, state::drives_of(traction, *state_));
     }
     if (taken.dampings < scene.dampings.size()) {
         taken.dampings = scene.dampings.size();
@@ -140,21 +156,22 @@ void Simulation::take_in(const model::Scene& scene) {
 }
 
 void Simulation::replace_force(std::size_t row, const model::Force& force) {
-    state_->loads[inside_->taken.forces.at(row).load.value()] = state::load_of(force, *state_);
+    state::Load& load = state_->loads[inside_->taken.forces.at(row)];
+    load.x = force.x;
+    load.y = force.y;
 }
 
 void Simulation::replace_traction(std::size_t row, const model::Traction& traction) {
-    const model::Body& body = inside_->scene.bodies[traction.selection.body.value()];
-    state::Load load = state::load_of(traction, body, *state_);
-    state_->loads[inside_->taken.tractions.at(row).load.value()] = std::move(load);
+    state::Load& load = state_->loads[inside_->taken.tractions.at(row)];
+    load.x = traction.stress_x;
+    load.y = traction.stress_y;
 }
 
 void Simulation::replace_motion(std::size_t row, const model::Motion& motion) {
-    std::vector<std::size_t>& rows = inside_->taken.motions.at(row).drives;
-    std::vector<state::Drive> drives = state::drives_of(motion, *state_);
-    for (const std::size_t old : rows) state_->drives[old] = {};
-    rows.clear();
-    add_drives(rows, std::move(drives));
+    Moved& moved = inside_->taken.motions.at(row);
+    for (const std::size_t old : moved.drives) state_->drives[old] = {};
+    moved.drives.clear();
+    add_drives(moved.drives, state::drives_of(motion, moved.elements, *state_));
 }
 
 void Simulation::set_wall_velocity(std::size_t wall, const Signal& x, const Signal& y) {
@@ -176,7 +193,7 @@ void Simulation::set_velocity(const model::Selection& selection, Vec2 velocity) 
 
 // --- running ----------------------------------------------------------------------------------------------------------
 
-void Simulation::prepare(double shortest_interval) {
+void Simulation::prepare(const std::vector<double>& intervals) {
     const model::Scene& scene = inside_->scene;
     if (inside_->step_outdated) {
         inside_->stable = scene.step_rule == model::StepRule::paper ? step::paper_step(*state_, scene.place)
@@ -184,8 +201,8 @@ void Simulation::prepare(double shortest_interval) {
         inside_->step_outdated = false;
     }
     double longest = scene.step_fraction * inside_->stable.critical;
-    if (!std::isfinite(longest)) longest = step_in_flight(std::isfinite(shortest_interval) ? shortest_interval : 1.0);
-    const double dt = std::isfinite(shortest_interval) ? fitted_step(longest, shortest_interval) : longest;
+    if (!std::isfinite(longest)) longest = step_in_flight(intervals.empty() ? 1.0 : intervals.front());
+    const double dt = fitted_step(longest, intervals);
     if (!inside_->started) {
         state_->dt = dt;
     } else if (dt != state_->dt) {
@@ -207,11 +224,12 @@ double Simulation::step_in_flight(double ahead) const {
 
 RunReport Simulation::run(double duration, const std::vector<Watcher>& watchers, const std::atomic<bool>* interrupted) {
     const auto begin = std::chrono::steady_clock::now();
-    double shortest = duration;
+    std::vector<double> intervals{duration};
     for (const Watcher& watcher : watchers) {
-        if (watcher.every > 0.0) shortest = std::min(shortest, watcher.every);
+        if (watcher.every > 0.0 && watcher.every < duration) intervals.push_back(watcher.every);
     }
-    prepare(shortest);
+    std::sort(intervals.begin(), intervals.end());
+    prepare(intervals);
     if (!inside_->started) {
         step::start(*state_, inside_->stepper);
         inside_->balance_at_start = balance(ledger_of(*state_));
@@ -279,10 +297,12 @@ std::uint64_t Simulation::step() const { return state_->step; }
 double Simulation::time_step() const { return state_->dt; }
 
 std::string Simulation::time_step_reason() const {
-    return fmt::format("{:.3g} of {:.4g} s: {}", state_->dt / inside_->stable.critical, inside_->stable.critical,
-                       inside_->stable.reason);
+    constexpr double nano = 1e9;
+    return fmt::format("{:.3g} of {:.4g} ns, {}", state_->dt / inside_->stable.critical,
+                       nano * inside_->stable.critical, inside_->stable.reason);
 }
 
+int Simulation::threads() const { return static_cast<int>(inside_->team.size()); }
 std::size_t Simulation::element_count() const { return state_->elements.size(); }
 std::size_t Simulation::bond_count() const { return observe::bond_count(*state_); }
 

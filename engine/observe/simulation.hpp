@@ -48,7 +48,7 @@ struct StageTime {
 
 class Simulation {
 public:
-    /// Packs, bonds and checks the scene. Throws SceneError with every problem that only the packed scene shows.
+    /// Packs, bonds and checks the scene. `threads` 0: as many as there are processors and work for. Throws SceneError with every problem that only the packed scene shows.
     Simulation(const model::Scene& scene, int threads);
     ~Simulation();
     Simulation(const Simulation&) = delete;
@@ -71,6 +71,7 @@ public:
     /// Takes in what was added to the scene since the last call: supports, motions, forces, tractions, notches,
     /// damping and probes. Bodies and walls cannot be added once assembled: SceneError.
     void take_in(const model::Scene& scene);
+    /// Replaced loads and motions keep the elements they were first said for.
     void replace_force(std::size_t row, const model::Force& force);
     void replace_traction(std::size_t row, const model::Traction& traction);
     void replace_motion(std::size_t row, const model::Motion& motion);
@@ -81,13 +82,14 @@ public:
 
     [[nodiscard]] double time() const; ///< s
     [[nodiscard]] std::uint64_t step() const;
-    [[nodiscard]] double time_step() const;          ///< s
+    [[nodiscard]] double time_step() const;             ///< s
     [[nodiscard]] std::string time_step_reason() const; ///< one line: the rule, the bound, where it is tightest
+    [[nodiscard]] int threads() const;
     [[nodiscard]] std::size_t element_count() const;
     [[nodiscard]] std::size_t bond_count() const;
     [[nodiscard]] std::size_t contact_count() const; ///< touching now
     [[nodiscard]] std::size_t broken_bonds() const;
-    [[nodiscard]] double crack_length() const; ///< m, sum over broken bonds of the mean diameter of their elements
+    [[nodiscard]] double crack_length() const;   ///< m, sum over broken bonds of the mean diameter of their elements
     [[nodiscard]] std::size_t fragments() const; ///< parts held together by bonds that are not broken
     [[nodiscard]] Ledger ledger() const;
     [[nodiscard]] Momentum momentum() const;
@@ -116,7 +118,7 @@ private:
     static constexpr std::uint64_t energy_checked_every = 1000; ///< steps
 
     void add_drives(std::vector<std::size_t>& rows, std::vector<state::Drive> drives);
-    void prepare(double shortest_interval);
+    void prepare(const std::vector<double>& intervals);
     [[nodiscard]] double step_in_flight(double ahead) const;
     RunReport run_until(double end, const std::vector<Watcher>& watchers, const std::atomic<bool>* interrupted);
     void check_energy() const;

@@ -36,8 +36,8 @@ std::vector<double> stress_of_elements(const state::State& state) {
     add_pairs(state.contacts, elements, stress);
     for (std::size_t c = 0; c < state.wall_contacts.size(); ++c) {
         const std::size_t e = state.wall_contacts.element[c];
-        const step::WallGap gap = step::wall_gap(state.walls[state.wall_contacts.wall[c]],
-                                                 state.wall_contacts.part[c], elements.position(e));
+        const step::WallGap gap =
+            step::wall_gap(state.walls[state.wall_contacts.wall[c]], state.wall_contacts.part[c], elements.position(e));
         const state::ContactHistory history = state.wall_contacts.history.at(c);
         const law::ContactStiffness& k = state.materials[state.bodies[elements.body[e]].material].stiffness;
         const double overlap = state.wall_contacts.overlap[c];

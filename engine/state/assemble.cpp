@@ -45,9 +45,9 @@ packing::Packing packed(const model::Body& body) {
 
 MaterialFacts facts_of(const model::Material& material, const model::Scene& scene) {
     MaterialFacts facts;
-    facts.stiffness = law::contact_stiffness(law::plane_moduli(material.youngs_modulus, material.poissons_ratio,
-                                                               scene.plane == model::Plane::strain),
-                                             scene.thickness);
+    facts.stiffness = law::contact_stiffness(
+        law::plane_moduli(material.youngs_modulus, material.poissons_ratio, scene.plane == model::Plane::strain),
+        scene.thickness);
     facts.friction = material.friction;
     if (material.contact_damping) facts.damping_fraction = *material.contact_damping;
     if (material.restitution) facts.damping_fraction = law::damping_fraction(*material.restitution);
@@ -132,8 +132,8 @@ std::vector<Problem> overlapping_bodies(const model::Scene& scene, const State& 
         for (std::size_t b = a + 1; b < deepest.size(); ++b) {
             if (deepest[a][b] < 0.01) continue;
             problems.push_back({scene.bodies[b].place, "body.region", '"' + scene.bodies[b].name + '"',
-                                fmt::format("overlaps body \"{}\" at the start, by {:.2g} of a diameter",
-                                            scene.bodies[a].name, deepest[a][b]),
+                                fmt::format("overlaps body \"{}\" at the start, by {:.0f} % of a diameter",
+                                            scene.bodies[a].name, 100.0 * deepest[a][b]),
                                 "move one of them apart"});
         }
     }

@@ -53,8 +53,7 @@ void lay_out(BondSet<Law>& bonds, const State& state, const std::vector<bonding:
 }
 
 void grow_dashpots(BondDashpots& dashpots, std::size_t rows) {
-    for (Column<double>* column :
-         {&dashpots.Cn, &dashpots.Ct, &dashpots.normal, &dashpots.shear, &dashpots.spent}) {
+    for (Column<double>* column : {&dashpots.Cn, &dashpots.Ct, &dashpots.normal, &dashpots.shear, &dashpots.spent}) {
         column->resize(rows);
     }
 }
@@ -96,10 +95,9 @@ std::optional<AnyBondSet> bond_body(const State& state, std::size_t body, const 
             if constexpr (std::is_same_v<Choice, model::ElasticBonds>) {
                 return bonds_of<law::Elastic>(state, body, bonds.search, bonds.damping, law::Elastic::derive(k));
             } else if constexpr (std::is_same_v<Choice, model::PlateauBonds>) {
-                const law::Plateau::Params params =
-                    law::Plateau::derive(k, moduli, state.thickness, material.tensile_strength.value(),
-                                         material.fracture_toughness.value(), material.rate_factor,
-                                         bonds.break_in_shear);
+                const law::Plateau::Params params = law::Plateau::derive(
+                    k, moduli, state.thickness, material.tensile_strength.value(), material.fracture_toughness.value(),
+                    material.rate_factor, bonds.break_in_shear);
                 return bonds_of<law::Plateau>(state, body, bonds.search, bonds.damping, params);
             } else {
                 return std::nullopt;

@@ -24,9 +24,9 @@ struct Incidence {
 
 /// Dashpots beside the springs; empty columns when the bonds have none.
 struct BondDashpots {
-    Column<double> Cn, Ct;         ///< N s/m
-    Column<double> normal, shear;  ///< dashpot forces at the last instant, N
-    Column<double> spent;          ///< J
+    Column<double> Cn, Ct;        ///< N s/m
+    Column<double> normal, shear; ///< dashpot forces at the last instant, N
+    Column<double> spent;         ///< J
 
     [[nodiscard]] bool present() const { return !Cn.empty(); }
 };
@@ -39,11 +39,11 @@ struct BondSet {
     typename Law::Params params;
     std::size_t body = 0;
 
-    Column<Index> i, j;            ///< rows of elements, i < j
-    Column<double> Dx, Dy;         ///< from i to j at bonding, m
-    Column<double> length;         ///< of D, m
-    Column<double> share_i;        ///< R_i/(R_i + R_j)
-    Column<double> radius;         ///< mean of the two, m
+    Column<Index> i, j;     ///< rows of elements, i < j
+    Column<double> Dx, Dy;  ///< from i to j at bonding, m
+    Column<double> length;  ///< of D, m
+    Column<double> share_i; ///< R_i/(R_i + R_j)
+    Column<double> radius;  ///< mean of the two, m
     HistoryColumns<History> history;
     BondDashpots dashpots;
 

@@ -32,12 +32,12 @@ struct SpentInContacts {
 
 /// Rows in rising order of (i, j).
 struct Contacts {
-    Column<Index> i, j;          ///< rows of elements, i < j
-    Column<Index> rule;          ///< row of `rules`
-    Column<double> reference;    ///< distance at which they touch, m
-    Column<double> Cn, Ct;       ///< N s/m
-    Column<double> overlap;      ///< positive while touching, m
-    Column<double> fx, fy;       ///< on i; on j the opposite, N
+    Column<Index> i, j;       ///< rows of elements, i < j
+    Column<Index> rule;       ///< row of `rules`
+    Column<double> reference; ///< distance at which they touch, m
+    Column<double> Cn, Ct;    ///< N s/m
+    Column<double> overlap;   ///< positive while touching, m
+    Column<double> fx, fy;    ///< on i; on j the opposite, N
     Column<double> moment_i, moment_j;
     HistoryColumns<ContactHistory> history;
     Incidence incidence;
@@ -56,9 +56,9 @@ struct Wall {
     double friction = 0.0;
     Signal velocity_x = Signal::constant(0.0); ///< m/s
     Signal velocity_y = Signal::constant(0.0);
-    Vec2 offset;       ///< m
-    Vec2 velocity;     ///< of the half step before the present instant, m/s
-    Vec2 force;        ///< of the elements on the wall, N
+    Vec2 offset;   ///< m
+    Vec2 velocity; ///< of the half step before the present instant, m/s
+    Vec2 force;    ///< of the elements on the wall, N
 };
 
 /// A part of a wall an element can touch: point k of its path (2k), or the segment from there to the next (2k + 1).

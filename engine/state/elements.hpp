@@ -13,13 +13,13 @@ namespace demlua::state {
 /// present instant; forces are those of the present instant.
 struct Elements {
     // hot: read or written every step
-    Column<double> ux, uy;         ///< displacement, m
-    Column<double> rotation;       ///< counter-clockwise since the start, rad
-    Column<double> vx, vy;         ///< m/s
-    Column<double> spin;           ///< rad/s
-    Column<double> fx, fy;         ///< N
-    Column<double> moment;         ///< N m
-    Column<double> inverse_mass;   ///< 1/kg
+    Column<double> ux, uy;          ///< displacement, m
+    Column<double> rotation;        ///< counter-clockwise since the start, rad
+    Column<double> vx, vy;          ///< m/s
+    Column<double> spin;            ///< rad/s
+    Column<double> fx, fy;          ///< N
+    Column<double> moment;          ///< N m
+    Column<double> inverse_mass;    ///< 1/kg
     Column<double> inverse_inertia; ///< 1/(kg m^2), of m R^2/2
 
     // read by contacts and at output

@@ -58,8 +58,11 @@ std::vector<Drive> drives_of(const model::Support& support, const State& state) 
     return drives;
 }
 
-std::vector<Drive> drives_of(const model::Motion& motion, const State& state) {
-    const Column<Index> rows = selected_or_refused(motion.selection, state, motion.place, "move");
+Column<Index> rows_of(const model::Motion& motion, const State& state) {
+    return selected_or_refused(motion.selection, state, motion.place, "move");
+}
+
+std::vector<Drive> drives_of(const model::Motion& motion, const Column<Index>& rows, const State& state) {
     std::vector<Drive> drives;
     const auto drive = [&](Freedom freedom, const std::optional<Signal>& value, bool is_displacement) {
         if (value) drives.push_back(drive_of(rows, state, freedom, *value, is_displacement));
@@ -101,8 +104,7 @@ Load load_of(const model::Traction& traction, const model::Body& body, const Sta
                                    : end_of_side(last_edge, place_along(last), elements.radius[last]);
     for (std::size_t n = 0; n < load.element.size(); ++n) {
         const bool is_last = n + 1 == load.element.size();
-        const double next =
-            is_last ? end : 0.5 * (place_along(load.element[n]) + place_along(load.element[n + 1]));
+        const double next = is_last ? end : 0.5 * (place_along(load.element[n]) + place_along(load.element[n + 1]));
         load.share.push_back((next - begin) * state.thickness);
         begin = next;
     }

@@ -11,10 +11,14 @@ namespace {
 double reach_towards(model::Side side, const Elements& elements, std::size_t k) {
     const Vec2 at = elements.position(k);
     switch (side) {
-    case model::Side::left: return elements.radius[k] - at.x;
-    case model::Side::right: return elements.radius[k] + at.x;
-    case model::Side::bottom: return elements.radius[k] - at.y;
-    case model::Side::top: return elements.radius[k] + at.y;
+    case model::Side::left:
+        return elements.radius[k] - at.x;
+    case model::Side::right:
+        return elements.radius[k] + at.x;
+    case model::Side::bottom:
+        return elements.radius[k] - at.y;
+    case model::Side::top:
+        return elements.radius[k] + at.y;
     }
     return 0.0;
 }
@@ -38,8 +42,7 @@ Column<Index> selected(const model::Selection& selection, const State& state) {
     Column<Index> rows;
     for (std::size_t k = first; k < last; ++k) {
         const Vec2 at = elements.position(k);
-        if (selection.side &&
-            reach_towards(*selection.side, elements, k) < extreme - 0.5 * elements.radius[k]) {
+        if (selection.side && reach_towards(*selection.side, elements, k) < extreme - 0.5 * elements.radius[k]) {
             continue;
         }
         if (selection.within && !selection.within->contains(at)) continue;

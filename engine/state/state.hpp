@@ -26,8 +26,8 @@ struct MaterialFacts {
 struct Body {
     std::string name;
     std::size_t material = 0;
-    std::size_t first = 0; ///< rows of its elements
-    std::size_t last = 0;  ///< one past them
+    std::size_t first = 0;            ///< rows of its elements
+    std::size_t last = 0;             ///< one past them
     std::optional<std::size_t> rigid; ///< row of State::rigid_bodies
 
     [[nodiscard]] std::size_t size() const { return last - first; }
@@ -58,12 +58,12 @@ struct Load {
 /// A degree of freedom of some elements, or of a rigid body, whose velocity is given.
 enum class Freedom { x, y, rotation };
 struct Drive {
-    Column<Index> element;              ///< free elements driven
-    Column<double> reaction;            ///< force it took at the present instant, N or N m
-    std::vector<std::size_t> rigid;     ///< rigid bodies driven
+    Column<Index> element;          ///< free elements driven
+    Column<double> reaction;        ///< force it took at the present instant, N or N m
+    std::vector<std::size_t> rigid; ///< rigid bodies driven
     std::vector<double> rigid_reaction;
     Freedom freedom = Freedom::x;
-    Signal value;                       ///< m/s or rad/s; or m (rad) when it gives displacement
+    Signal value;                 ///< m/s or rad/s; or m (rad) when it gives displacement
     bool is_displacement = false; ///< counted from its value when the motion begins
 };
 
@@ -91,9 +91,9 @@ struct State {
     std::vector<Load> loads; ///< forces first, then tractions, in the scene's order
     std::vector<Drive> drives;
 
-    double thickness = 1.0;  ///< m
-    Vec2 gravity;            ///< m/s^2
-    double alpha = 0.0;      ///< mass-proportional damping, 1/s
+    double thickness = 1.0; ///< m
+    Vec2 gravity;           ///< m/s^2
+    double alpha = 0.0;     ///< mass-proportional damping, 1/s
     Booked booked;
 };
 

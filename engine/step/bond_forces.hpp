@@ -11,7 +11,8 @@ namespace demlua::step {
 
 /// Kinematics of one bond in the present configuration.
 template <class Law>
-DEMLUA_INLINE law::BondMotion<double> motion_of(const state::BondSet<Law>& bonds, const state::Elements& elements, std::size_t k) {
+DEMLUA_INLINE law::BondMotion<double> motion_of(const state::BondSet<Law>& bonds, const state::Elements& elements,
+                                                std::size_t k) {
     const std::size_t i = bonds.i[k];
     const std::size_t j = bonds.j[k];
     const double s = bonds.share_i[k];
@@ -41,8 +42,8 @@ void add_dashpots(state::BondSet<Law>& bonds, std::size_t k, law::BondForce<doub
     state::BondDashpots& dashpots = bonds.dashpots;
     const double normal = dashpots.Cn[k] * rate.normal;
     const double shear = dashpots.Ct[k] * rate.shear;
-    dashpots.spent[k] += 0.5 * dt * ((dashpots.normal[k] + normal) * rate.normal +
-                                     (dashpots.shear[k] + shear) * rate.shear);
+    dashpots.spent[k] +=
+        0.5 * dt * ((dashpots.normal[k] + normal) * rate.normal + (dashpots.shear[k] + shear) * rate.shear);
     dashpots.normal[k] = normal;
     dashpots.shear[k] = shear;
     force.normal += normal;
@@ -62,7 +63,7 @@ void bond_forces(state::BondSet<Law>& bonds, const state::Elements& elements, do
         auto history = before;
         law::BondForce<double> force = Law::respond(bonds.params, bonds.radius[k], motion, history);
         // Most bonds never yield: their lines of memory need not be written back.
-        if (history != before) bonds.history.store(k, history);
+        if (Law::has_yielded(before, history)) bonds.history.store(k, history);
         if (damped) add_dashpots(bonds, k, rates_of(bonds, elements, k, motion), dt, force);
         if constexpr (Law::breaks) {
             if (Law::broken(bonds.params, bonds.radius[k], motion, history)) {

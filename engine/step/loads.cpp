@@ -64,9 +64,9 @@ void apply_drives(state::State& state) {
         };
         for (std::size_t n = 0; n < drive.element.size(); ++n) {
             const std::size_t k = drive.element[n];
-            drive.reaction[n] = reaction_on(force_of(state.elements, drive.freedom, k),
-                                            velocity_of(state.elements, drive.freedom, k),
-                                            mass_of(state.elements, drive.freedom, k));
+            drive.reaction[n] =
+                reaction_on(force_of(state.elements, drive.freedom, k), velocity_of(state.elements, drive.freedom, k),
+                            mass_of(state.elements, drive.freedom, k));
         }
         for (std::size_t n = 0; n < drive.rigid.size(); ++n) {
             state::RigidBody& rigid = state.rigid_bodies[drive.rigid[n]];

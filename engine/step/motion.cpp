@@ -25,8 +25,9 @@ void share_free(const state::State& state, Team& team, const Work& work) {
     }
     for (const state::Body& body : state.bodies) {
         if (body.rigid) continue;
-        team.share(body.size(),
-                   [&](Share part) { work(Share{body.first + part.begin, body.first + part.end, part.part}); });
+        team.share(body.size(), [&](Share part) {
+            work(Share{body.first + part.begin, body.first + part.end, part.part});
+        });
     }
 }
 
@@ -72,7 +73,7 @@ void kick(state::State& state, Team& team) {
 Drift drift(state::State& state, double greatest_move, Team& team) {
     state::Elements& elements = state.elements;
     const double dt = state.dt;
-    std::vector<Drift> found(team.size());
+    std::vector<Drift> found(team.parts());
     share_free(state, team, [&](Share part) {
         double fastest = 0.0;
         std::size_t runaway = Drift::no_element;
@@ -115,8 +116,7 @@ Drift move_rigid(state::State& state, double greatest_move) {
     for (state::RigidBody& rigid : state.rigid_bodies) {
         const Vec2 v = rigid.velocity;
         const double spin = rigid.spin;
-        rigid.velocity = {kicked(v.x, rigid.force.x, 1.0 / rigid.mass),
-                          kicked(v.y, rigid.force.y, 1.0 / rigid.mass)};
+        rigid.velocity = {kicked(v.x, rigid.force.x, 1.0 / rigid.mass), kicked(v.y, rigid.force.y, 1.0 / rigid.mass)};
         rigid.spin = kicked(spin, rigid.moment, 1.0 / rigid.inertia);
         const Vec2 mean = 0.5 * (v + rigid.velocity);
         const double mean_spin = 0.5 * (spin + rigid.spin);

@@ -67,7 +67,7 @@ double wall_travel(const state::State& state) {
 } // namespace
 
 Stepper::Stepper(Team& threads, const state::State& state, double greatest_share)
-    : team(threads), search(start_search(state)), greatest_move(greatest_share), breaking(threads.size()) {}
+    : team(threads), search(start_search(state)), greatest_move(greatest_share), breaking(threads.parts()) {}
 
 void compute_forces(state::State& state, Stepper& stepper) {
     Clock& clock = stepper.clock;

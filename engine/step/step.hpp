@@ -32,7 +32,7 @@ public:
 struct Stepper {
     Team& team;
     Search search;
-    double greatest_move = 0.2; ///< share of its radius an element may move in a step
+    double greatest_move = 0.2;               ///< share of its radius an element may move in a step
     std::vector<std::vector<Index>> breaking; ///< bonds failing in this step, per share of the loop
     Clock clock;
 

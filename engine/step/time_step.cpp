@@ -161,12 +161,13 @@ StableStep safe_step(const state::State& state) {
 StableStep paper_step(const state::State& state, const Place& place) {
     Tightest tightest;
     for (std::size_t k = 0; k < state.elements.size(); ++k) {
-        const law::ContactStiffness& stiffness = state.materials[state.bodies[state.elements.body[k]].material].stiffness;
+        const law::ContactStiffness& stiffness =
+            state.materials[state.bodies[state.elements.body[k]].material].stiffness;
         if (stiffness.shear > 2.0 / 3.0 * stiffness.normal) {
-            throw SceneError(Problem{place, "simulation.time_step", "\"paper\"",
-                                     fmt::format("eq. 19 is unstable for Kt/Kn above 2/3, here {:.3f}",
-                                                 stiffness.shear / stiffness.normal),
-                                     "use \"bound\""});
+            throw SceneError(Problem{
+                place, "simulation.time_step", "\"paper\"",
+                fmt::format("eq. 19 is unstable for Kt/Kn above 2/3, here {:.3f}", stiffness.shear / stiffness.normal),
+                "use \"bound\""});
         }
         tightest.offer(law::paper_step(state.elements.mass(k), stiffness.normal, 0.0), k, "");
     }

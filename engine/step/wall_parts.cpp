@@ -82,8 +82,8 @@ void refresh_wall_contacts(state::State& state, double skin) {
             const double reach = state.elements.radius[e] + skin;
             for (std::size_t part = 0; part < part_count(wall); ++part) {
                 if (distance_to_part(wall, part, state.elements.position(e)) > reach) continue;
-                const auto wanted = std::make_tuple(static_cast<Index>(w), static_cast<Index>(e),
-                                                    static_cast<Index>(part));
+                const auto wanted =
+                    std::make_tuple(static_cast<Index>(w), static_cast<Index>(e), static_cast<Index>(part));
                 while (next < old.size() && key(old, next) < wanted) book_next();
                 state::ContactHistory history;
                 if (next < old.size() && key(old, next) == wanted) history = old.history.at(next++);
