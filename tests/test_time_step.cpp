@@ -6,6 +6,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
+#include <limits>
 
 using namespace demlua;
 using Catch::Approx;
@@ -25,8 +26,8 @@ double exact_frequency_squared(const state::State& state) {
         const Vec2 t = turned_left(n);
         const double a_i = bonds.length[k] * bonds.share_i[k];
         const double a_j = bonds.length[k] - a_i;
-        const auto i = static_cast<Eigen::Index>(3 * bonds.i[k]);
-        const auto j = static_cast<Eigen::Index>(3 * bonds.j[k]);
+        const auto i = 3 * static_cast<Eigen::Index>(bonds.i[k]);
+        const auto j = 3 * static_cast<Eigen::Index>(bonds.j[k]);
         Eigen::VectorXd stretch = Eigen::VectorXd::Zero(rows);
         Eigen::VectorXd shear = Eigen::VectorXd::Zero(rows);
         const double mi = std::sqrt(elements.inverse_mass[bonds.i[k]]);
@@ -111,4 +112,24 @@ TEST_CASE("the paper's step is taken when asked for and refused where it is unst
     model::Scene refused = elastic_block(0.05);
     refused.step_rule = model::StepRule::paper;
     CHECK_THROWS_AS(observe::Simulation(refused, 1), SceneError);
+}
+
+TEST_CASE("a run that blows up stops and names the element") {
+    model::Scene scene = elastic_block(0.2);
+    scene.step_fraction = 1.5;
+    observe::Simulation sim(scene, 1);
+    model::Selection one = test::all_of(0);
+    one.where = [](Vec2 at) { return at.x < 1.5 * R; };
+    sim.set_velocity(one, {1e-3, 0.0});
+    CHECK_THROWS_WITH(sim.run(1e-3, {}), Catch::Matchers::ContainsSubstring("element") &&
+                                             Catch::Matchers::ContainsSubstring("of body \"block\""));
+}
+
+TEST_CASE("a velocity that is no number stops the run at once") {
+    observe::Simulation sim(elastic_block(0.2), 1);
+    model::Selection one = test::all_of(0);
+    one.where = [](Vec2 at) { return at.x < 1.5 * R && at.y < 1.5 * R; };
+    sim.set_velocity(one, {std::numeric_limits<double>::quiet_NaN(), 0.0});
+    CHECK_THROWS_WITH(sim.run(1e-3, {}), Catch::Matchers::ContainsSubstring("element 0 of body \"block\""));
+    CHECK(sim.step() == 0);
 }
