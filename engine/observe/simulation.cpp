@@ -114,45 +114,65 @@ void Simulation::take_in(const model::Scene& scene) {
             scene.bodies.size() != state_->bodies.size() ? scene.bodies.back().place : scene.walls.back().place;
         throw SceneError(Problem{place, "body or wall", "", "must be said before the first run", ""});
     }
-    for (; taken.notches < scene.notches.size(); ++taken.notches) {
-        const model::Notch& notch = scene.notches[taken.notches];
-        if (state::cut(*state_, notch.body, notch.from, notch.to) == 0) {
-            throw SceneError(Problem{notch.place, "notch", "", "cuts no bond that could break",
-                                     "does it cross the body, and do its bonds break?"});
+    std::vector<Problem> problems;
+    const auto attempt = [&](const auto& work) {
+        try {
+            work();
+        } catch (const SceneError& error) {
+            problems.insert(problems.end(), error.problems().begin(), error.problems().end());
         }
-        inside_->stepper.search.travelled = std::numeric_limits<double>::infinity();
-        inside_->step_outdated = true;
+    };
+    for (; taken.notches < scene.notches.size(); ++taken.notches) {
+        attempt([&] { take_in(scene.notches[taken.notches]); });
     }
     std::vector<std::size_t> unreplaceable;
     for (; taken.supports < scene.supports.size(); ++taken.supports) {
-        add_drives(unreplaceable, state::drives_of(scene.supports[taken.supports], *state_));
+        attempt([&] { add_drives(unreplaceable, state::drives_of(scene.supports[taken.supports], *state_)); });
     }
     for (std::size_t row = taken.motions.size(); row < scene.motions.size(); ++row) {
         Moved& moved = taken.motions.emplace_back();
-        moved.elements = state::rows_of(scene.motions[row], *state_);
-        add_drives(moved.drives, state::drives_of(scene.motions[row], moved.elements, *state_));
+        attempt([&] {
+            moved.elements = state::rows_of(scene.motions[row], *state_);
+            add_drives(moved.drives, state::drives_of(scene.motions[row], moved.elements, *state_));
+        });
     }
     for (std::size_t row = taken.forces.size(); row < scene.forces.size(); ++row) {
         taken.forces.push_back(state_->loads.size());
-        state_->loads.push_back(state::load_of(scene.forces[row], *state_));
+        attempt([&] { state_->loads.push_back(state::load_of(scene.forces[row], *state_)); });
     }
     for (std::size_t row = taken.tractions.size(); row < scene.tractions.size(); ++row) {
         const model::Traction& traction = scene.tractions[row];
         taken.tractions.push_back(state_->loads.size());
-        state_->loads.push_back(state::load_of(traction, scene.bodies[traction.selection.body.value()], *state_));
-        add_drives(unreplaceable, state::drives_of(traction, *state_));
+        attempt([&] {
+            state_->loads.push_back(state::load_of(traction, scene.bodies[traction.selection.body.value()], *state_));
+            add_drives(unreplaceable, state::drives_of(traction, *state_));
+        });
     }
+    if (!problems.empty()) throw SceneError(std::move(problems));
     if (taken.dampings < scene.dampings.size()) {
         taken.dampings = scene.dampings.size();
-        const law::Rayleigh damping = rayleigh_of(scene.dampings.back());
-        state_->alpha = damping.alpha;
-        for (state::AnyBondSet& bonds : state_->bond_sets) {
-            if (damping.beta != inside_->beta) state::add_stiffness_damping(bonds, damping.beta - inside_->beta);
-        }
-        inside_->beta = damping.beta;
-        inside_->step_outdated = true;
+        take_in(scene.dampings.back());
     }
     inside_->scene = scene;
+}
+
+void Simulation::take_in(const model::Notch& notch) {
+    if (state::cut(*state_, notch.body, notch.from, notch.to) == 0) {
+        throw SceneError(Problem{notch.place, "notch", "", "cuts no bond that could break",
+                                 "does it cross the body, and do its bonds break?"});
+    }
+    inside_->stepper.search.travelled = std::numeric_limits<double>::infinity();
+    inside_->step_outdated = true;
+}
+
+void Simulation::take_in(const model::Damping& said) {
+    const law::Rayleigh damping = rayleigh_of(said);
+    state_->alpha = damping.alpha;
+    for (state::AnyBondSet& bonds : state_->bond_sets) {
+        if (damping.beta != inside_->beta) state::add_stiffness_damping(bonds, damping.beta - inside_->beta);
+    }
+    inside_->beta = damping.beta;
+    inside_->step_outdated = true;
 }
 
 void Simulation::replace_force(std::size_t row, const model::Force& force) {

@@ -117,6 +117,8 @@ public:
 private:
     static constexpr std::uint64_t energy_checked_every = 1000; ///< steps
 
+    void take_in(const model::Notch& notch);
+    void take_in(const model::Damping& said);
     void add_drives(std::vector<std::size_t>& rows, std::vector<state::Drive> drives);
     void prepare(const std::vector<double>& intervals);
     [[nodiscard]] double step_in_flight(double ahead) const;

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "engine/state/state.hpp"
+#include "engine/step/bond_forces.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace demlua::step {
@@ -15,11 +17,48 @@ struct NewContact {
     state::ContactHistory history;
 };
 
+/// The contact a bond leaves while its elements are pressed together: it carries on with the bond's shear, as far as
+/// friction lets it. The step's own displacement is taken off because the contact loop will count it.
+state::ContactHistory inherited(const law::Coulomb::Params& contact, double overlap, double elastic_shear,
+                                double slide);
+
 /// Takes the bonds named in `breaking` (rows, rising) out of the set: no force from this instant on, energies booked,
 /// and a contact in each one's place. Its reference length is the bond's unstressed length, no longer than the sum of the
 /// radii if the bond broke in tension: falling back to the radii would release the pack's overlap as energy.
 template <class Law>
 void settle_broken(state::State& state, state::BondSet<Law>& bonds, const std::vector<Index>& breaking,
-                   std::vector<NewContact>& contacts);
+                   std::vector<NewContact>& contacts) {
+    if constexpr (Law::breaks) {
+        const state::Elements& elements = state.elements;
+        const std::size_t material = state.bodies[bonds.body].material;
+        const law::Coulomb::Params& contact =
+            state.contacts.rules[material * state.contacts.materials + material].params;
+        for (const Index k : breaking) {
+            const std::size_t i = bonds.i[k];
+            const std::size_t j = bonds.j[k];
+            const law::BondMotion<double> motion = motion_of(bonds, elements, k);
+            const auto history = bonds.history.at(k);
+            const double rate = rates_of(bonds, elements, k, motion).shear;
+            const double touch = elements.radius[i] + elements.radius[j];
+            const double unstressed = bonds.length[k] + history.stretch;
+            const double length = bonds.length[k] + motion.stretch;
+            const double reference = length > unstressed ? std::min(unstressed, touch) : unstressed;
+            const double overlap = reference - length;
+
+            NewContact left{static_cast<Index>(i), static_cast<Index>(j), reference,
+                            inherited(contact, overlap, motion.shear - history.shear, rate * state.dt)};
+            state::ContactHistory settled = left.history;
+            if (overlap > 0.0) settled.shear += rate * state.dt;
+            bonds.fracture_work += Law::stored_energy(bonds.params, motion, history) -
+                                   law::Coulomb::stored_energy(contact, overlap, settled);
+            bonds.broken[k] = 1;
+            ++bonds.broken_count;
+            bonds.contact_length[k] = reference;
+            bonds.break_time[k] = state.time;
+            bonds.fx[k] = bonds.fy[k] = bonds.moment_i[k] = bonds.moment_j[k] = 0.0;
+            contacts.push_back(left);
+        }
+    }
+}
 
 } // namespace demlua::step
