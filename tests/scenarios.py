@@ -1,0 +1,49 @@
+#!/usr/bin/env python3
+"""Runs the small scenarios as a reader would and compares what they publish with its closed form."""
+import json
+import os
+import pathlib
+import subprocess
+import sys
+
+PROGRAM = os.environ["DEMLUA"]
+SCENARIOS = pathlib.Path(os.environ["DEMLUA_SOURCE_DIR"]) / "scenarios"
+
+
+def results(name, *options):
+    folder = pathlib.Path(name + ".out")
+    subprocess.run([PROGRAM, SCENARIOS / f"{name}.lua", "-o", folder, "--quiet", *options], check=True)
+    summary = json.loads((folder / "summary.json").read_text())
+    assert summary["ending"]["state"] == "finished", summary["ending"]
+    return summary["results"]
+
+
+def close(what, got, expected, share):
+    print(f"{what}: {got:.6g}, expected {expected:.6g} within {100 * share:.3g} %")
+    return abs(got - expected) <= share * abs(expected)
+
+
+def main():
+    right = []
+    pair = results("bonded_pair")
+    # Two masses on a spring; a step of 0.1 of the limit shortens the period by (w dt)^2/24, below 1e-3.
+    right.append(close("period of the bonded pair, s", pair["period"], pair["reference"], 2e-3))
+
+    disks = results("colliding_disks")
+    right.append(close("restitution", disks["measured"], disks["reference"], 3e-3))
+
+    strip = results("tension_test")
+    # The lattice carries the load on fewer rows than its outline is wide: one radius in ten.
+    right.append(close("modulus of the strip, Pa", strip["modulus"], strip["modulus_reference"], 0.05))
+    right.append(close("strength of the strip, Pa", strip["strength"], strip["strength_reference"], 0.10))
+
+    beam = results("penetration", "--set", "elements=1500", "--set", "duration=2e-4")
+    # Between no resistance at all and what 80 m/s could lose to a wall.
+    right.append(40.0 < beam["projectile_speed"] < 80.0)
+
+    subprocess.run([PROGRAM, SCENARIOS / "penetration_slow.lua", "--check"], check=True)
+    return 0 if all(right) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
