@@ -21,6 +21,8 @@ struct Elastic {
         double Kt = 0.0; ///< N/m
     };
 
+    struct Tractions {};
+
     template <class T>
     struct History {
         static constexpr std::array<T History::*, 0> members{};

@@ -9,7 +9,7 @@
 
 namespace demlua::law {
 
-template <template <class> class Container, template <class...> class List>
-using ForEachBondLaw = List<Container<Elastic>, Container<Plateau>>;
+template <template <class> class Pairs, template <class> class Facets, template <class...> class List>
+using ForEachBondLaw = List<Pairs<Elastic>, Pairs<Plateau>, Facets<Elastic>, Facets<Plateau>>;
 
 } // namespace demlua::law

@@ -5,6 +5,7 @@
 //   d_max     = G 2Rt/fn_crit + fn_crit/(2 Kn)                 eq. 34 with 35, G = K_Ic^2/E* (eq. 31)
 //   |fn| <= fn_crit in tension, |ft| <= ft_crit both ways; unloading with Kn and Kt; broken when e > d_max.
 //   With break_in_shear also broken when |ut| > G 2Rt/ft_crit + ft_crit/(2 Kt) (figure 14b).
+// On facets (law/facet.hpp), whose forces are true tractions: fn_crit = s A t, ft_crit = sqrt(3/7) s A t.
 //
 // R mean radius of the two elements, t thickness, s tensile strength, e stretch, ut shear displacement, starred values
 // eq. 13, 14. A strain-rate factor f stands for s -> f s and G -> f G.
@@ -24,6 +25,7 @@ namespace demlua::law {
 struct Plateau {
     static constexpr const char* name = "plateau";
     static constexpr bool breaks = true;
+    static constexpr double shear_over_tension = 0.6546536707079771; ///< strength ratio on a facet, sqrt(3/7)
 
     /// Displacements follow from the mean radius R of a bond: yield at stretch_per_radius R, where fn = fn_crit, and
     /// d_max = opening + stretch_per_radius R / 2; the same in shear.
@@ -34,6 +36,15 @@ struct Plateau {
         double shear_per_radius = 0.0;                         ///< ft_crit/(Kt R)
         double opening = 0.0;                                  ///< m, plastic part of d_max
         double slip = std::numeric_limits<double>::infinity(); ///< m, plastic part of the greatest shear
+    };
+
+    /// The same strength for facets, whose forces are true tractions: s t and sqrt(3/7) s t, N/m, with the plastic
+    /// displacements that spend G per area, m.
+    struct Tractions {
+        double normal = 0.0;
+        double shear = 0.0;
+        double opening = 0.0;
+        double slip = std::numeric_limits<double>::infinity();
     };
 
     template <class T>
@@ -62,6 +73,22 @@ struct Plateau {
         p.shear_per_radius = ft_per_radius / k.shear;
         if (break_in_shear) p.slip = fracture_energy * 2.0 * thickness / ft_per_radius;
         return p;
+    }
+
+    static constexpr Tractions derive_tractions(PlaneModuli plane, double thickness, double strength, double toughness,
+                                                double rate_factor, bool break_in_shear) {
+        const double fracture_energy = rate_factor * toughness * toughness / plane.youngs_modulus;
+        Tractions p;
+        p.normal = rate_factor * strength * thickness;
+        p.shear = shear_over_tension * p.normal;
+        p.opening = fracture_energy * thickness / p.normal;
+        if (break_in_shear) p.slip = fracture_energy * thickness / p.shear;
+        return p;
+    }
+
+    /// For a facet of length A (m) that yields against the stiffness k: to be used with a radius of 1.
+    static constexpr Params on_facet(const Tractions& p, ContactStiffness k, double A) {
+        return {k.normal, k.shear, p.normal * A / k.normal, p.shear * A / k.shear, p.opening, p.slip};
     }
 
     template <class T>

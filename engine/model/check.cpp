@@ -5,9 +5,23 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <type_traits>
 #include <utility>
 
 namespace demlua::model {
+
+std::optional<Network> network_of(const Body& body) {
+    if (body.rigid) return std::nullopt;
+    const auto chosen = std::visit(
+        [](const auto& bonds) -> std::optional<Network> {
+            if constexpr (std::is_same_v<std::decay_t<decltype(bonds)>, NoBonds>) return std::nullopt;
+            else return bonds.network;
+        },
+        body.bonds);
+    if (chosen != Network::automatic) return chosen;
+    if (std::holds_alternative<ClosePacking>(body.packing)) return Network::unit_cell;
+    return std::holds_alternative<ListedDisks>(body.packing) ? Network::contacts : Network::facets;
+}
 
 namespace {
 
@@ -22,17 +36,34 @@ struct Findings {
 
 std::string quoted(const std::string& text) { return '"' + text + '"'; }
 
-void check_material(const Material& material, Plane plane, Findings& findings) {
-    const double limit = plane == Plane::stress ? 1.0 / 3.0 : 0.25;
-    if (material.poissons_ratio > limit) {
-        findings.add(material.place, "material.poissons_ratio", text_of(material.poissons_ratio),
-                     plane == Plane::stress ? "must be at most 1/3 in plane stress"
-                                            : "must be at most 1/4 in plane strain",
-                     "beyond it bonds would need a negative shear stiffness");
-    }
+void check_material(const Material& material, Findings& findings) {
     if (material.restitution && material.contact_damping) {
         findings.add(material.place, "material.contact_damping", text_of(*material.contact_damping),
                      "must not be given beside restitution", "each follows from the other");
+    }
+}
+
+/// Poisson's ratio must suit every network made of the material.
+void check_poissons_ratio(const Scene& scene, std::size_t row, Findings& findings) {
+    const Material& material = scene.materials[row];
+    const double limit = scene.plane == Plane::stress ? 1.0 / 3.0 : 0.25;
+    bool pairs = false;
+    bool facets = false;
+    for (const Body& body : scene.bodies) {
+        if (body.material != row) continue;
+        const std::optional<Network> network = network_of(body);
+        facets = facets || network == Network::facets;
+        pairs = pairs || (network && network != Network::facets);
+    }
+    if (pairs && material.poissons_ratio > limit) {
+        findings.add(material.place, "material.poissons_ratio", text_of(material.poissons_ratio),
+                     scene.plane == Plane::stress ? "must be at most 1/3 in plane stress"
+                                                  : "must be at most 1/4 in plane strain",
+                     R"(beyond it bonds would need a negative shear stiffness; stiffness = "facets" takes more)");
+    }
+    if (facets && material.poissons_ratio < 0.0) {
+        findings.add(material.place, "material.poissons_ratio", text_of(material.poissons_ratio),
+                     R"(must not be negative with stiffness = "facets")");
     }
 }
 
@@ -62,6 +93,15 @@ void check_consolidation(const Body& body, const Consolidation& packing, Finding
                      "exactly one of count and radius must be given");
     }
     check_room(body, packing.radius, findings);
+}
+
+void check_network(const Body& body, Findings& findings) {
+    const std::optional<Network> network = network_of(body);
+    if (!network || !body.region.bounds().empty()) return;
+    if (*network == Network::facets || *network == Network::delaunay) {
+        findings.add(body.place, "body.bonds", *network == Network::facets ? "\"facets\"" : "\"delaunay\"",
+                     "needs the body's region, which its cells share out");
+    }
 }
 
 void check_packing(const Body& body, Findings& findings) {
@@ -235,10 +275,14 @@ std::string polygon_fault(const std::vector<Vec2>& corners) {
 
 std::vector<Problem> check(const Scene& scene, const std::vector<std::string>& measurable) {
     Findings findings;
-    for (const Material& material : scene.materials) check_material(material, scene.plane, findings);
+    for (std::size_t row = 0; row < scene.materials.size(); ++row) {
+        check_material(scene.materials[row], findings);
+        check_poissons_ratio(scene, row, findings);
+    }
     for (const Body& body : scene.bodies) {
         check_packing(body, findings);
         check_bonds(body, scene, findings);
+        check_network(body, findings);
     }
     for (const Support& support : scene.supports) check_selection(support.selection, "fix", support.place, findings);
     for (const Motion& motion : scene.motions) check_motion(motion, findings);

@@ -23,7 +23,7 @@ enum class Plane { stress, strain };
 struct Material {
     std::string name;
     double youngs_modulus = 0.0;              ///< Pa
-    double poissons_ratio = 0.0;              ///< below 1/3 in plane stress, 1/4 in plane strain
+    double poissons_ratio = 0.0;              ///< at most 1/3 (plane stress) or 1/4 (strain) for bonds other than facets
     double density = 0.0;                     ///< kg/m^3
     std::optional<double> tensile_strength;   ///< Pa
     std::optional<double> fracture_toughness; ///< Pa m^0.5
@@ -36,13 +36,23 @@ struct Material {
 
 /// No bonds: every element is loose.
 struct NoBonds {};
+/// Which elements of a body are bonded and how stiffly.
+enum class Network {
+    automatic, ///< unit cell for close packing, facets for packs that fill a region irregularly, contacts for others
+    facets,    ///< across the facets of cells, exact on any pack (law/facet.hpp)
+    unit_cell, ///< elements that touch, eqs 15, 16: exact for close packing
+    delaunay,  ///< all neighbouring cells, eqs 15, 16
+    contacts   ///< elements that touch, eqs 15, 16, on a pack they were not made for
+};
 /// Bonds that never break.
 struct ElasticBonds {
-    double search = 0.1;  ///< elements are bonded when the gap between them is below this share of the mean radius
+    Network network = Network::automatic;
+    double search = 0.1;  ///< elements touch when the gap between them is below this share of the mean radius
     double damping = 0.0; ///< dashpots beside the springs, as a fraction of critical of one bond
 };
 /// Tavarez & Plesha 2007, eqs 32-36.
 struct PlateauBonds {
+    Network network = Network::automatic;
     double search = 0.1;
     double damping = 0.0;
     bool break_in_shear = false; ///< also break when the plastic slip has spent the fracture energy (fig. 14b)
@@ -60,6 +70,9 @@ struct Body {
     bool rigid = false;
     Place place;
 };
+
+/// What holds the body together: its bonds' choice with `automatic` settled by the packing; none when it is loose or rigid.
+std::optional<Network> network_of(const Body& body);
 
 enum class Side { left, right, bottom, top };
 

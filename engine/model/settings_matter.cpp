@@ -31,6 +31,13 @@ const Names& row_names() {
     static const Names names{"horizontal", "vertical"};
     return names;
 }
+constexpr const char* network_meaning =
+    R"("facets": every two neighbouring cells, elastically exact on any pack; "unit cell": elements that touch, eqs 15-16, exact for close packing; "delaunay": all neighbouring cells, eqs 15-16; "contacts": elements that touch, eqs 15-16, softer than said on an irregular pack; "automatic": unit cell for close packing, facets for packs that fill a region, contacts for listed disks)";
+
+const Names& network_names() {
+    static const Names names{"automatic", "facets", "unit cell", "delaunay", "contacts"};
+    return names;
+}
 const Names& fit_names() {
     static const Names names{"centres", "inside"};
     return names;
@@ -66,7 +73,7 @@ const WordOf<Material>& material() {
             row<&Material::name>("name", optional, "as messages call it"),
             row<&Material::youngs_modulus>("youngs_modulus", "Pa", required, positive, "Young's modulus"),
             row<&Material::poissons_ratio>("poissons_ratio", "", required, ratio,
-                                           "Poisson's ratio; at most 1/3 in plane stress, 1/4 in plane strain"),
+                                           "Poisson's ratio; bonds other than facets take at most 1/3 in plane stress, 1/4 in plane strain"),
             row<&Material::density>("density", "kg/m^3", required, positive, "mass per volume of the solid"),
             row<&Material::tensile_strength>("tensile_strength", "Pa", optional, positive,
                                              "needed by bonds that break"),
@@ -188,8 +195,9 @@ const WordOf<ElasticBonds>& elastic() {
     static const WordOf<ElasticBonds> made = word<ElasticBonds>(
         "dem.elastic", "Bonds that never break.", "a bond law", "dem.elastic { damping = 0.02 }",
         {
+            choice<&ElasticBonds::network, network_names>("stiffness", network_meaning),
             row<&ElasticBonds::search>("search", "", optional, non_negative,
-                                       "elements are bonded across gaps below this share of their mean radius"),
+                                       "elements that touch are bonded across gaps below this share of their mean radius"),
             row<&ElasticBonds::damping>("damping", "", optional, non_negative,
                                         "dashpots beside the springs, fraction of critical of one bond"),
         });
@@ -203,8 +211,9 @@ const WordOf<PlateauBonds>& plateau() {
         "2007, eqs 32-36).",
         "a bond law", "dem.plateau { search = 0.1, damping = 0.02 }",
         {
+            choice<&PlateauBonds::network, network_names>("stiffness", network_meaning),
             row<&PlateauBonds::search>("search", "", optional, non_negative,
-                                       "elements are bonded across gaps below this share of their mean radius"),
+                                       "elements that touch are bonded across gaps below this share of their mean radius"),
             row<&PlateauBonds::damping>("damping", "", optional, non_negative,
                                         "dashpots beside the springs, fraction of critical of one bond"),
             row<&PlateauBonds::break_in_shear>("break_in_shear", optional,

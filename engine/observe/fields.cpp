@@ -3,7 +3,7 @@
 #include "engine/observe/cracks.hpp"
 #include "engine/observe/ledger.hpp"
 #include "engine/observe/stress.hpp"
-#include "engine/step/bond_forces.hpp"
+#include "engine/step/facet_forces.hpp"
 
 #include <algorithm>
 #include <type_traits>
@@ -109,10 +109,12 @@ FieldValues coordinations(const state::State& state) {
     return count;
 }
 
-template <class Law>
-double bond_damage(const state::BondSet<Law>& bonds, std::size_t k) {
+template <class Bonds>
+double bond_damage(const Bonds& bonds, std::size_t k) {
+    using Law = typename Bonds::law;
     if constexpr (Law::breaks) {
-        return bonds.is_broken(k) ? 1.0 : Law::damage(bonds.params, bonds.radius[k], bonds.history.at(k));
+        if (bonds.is_broken(k)) return 1.0;
+        return Law::damage(step::params_of(bonds, k), bonds.radius[k], bonds.history.at(k));
     }
     return 0.0;
 }
@@ -145,21 +147,20 @@ struct BondColumns {
 
 enum BondState : std::int32_t { intact = 0, plastic = 1, broken = 2 };
 
-template <class Law>
-void add_bond(const state::State& state, const state::BondSet<Law>& bonds, std::size_t k, BondColumns& columns) {
-    auto history = bonds.history.at(k);
+template <class Bonds>
+void add_bond(const state::State& state, const Bonds& bonds, std::size_t k, BondColumns& columns) {
     const law::BondMotion<double> motion = step::motion_of(bonds, state.elements, k);
     const bool gone = bonds.is_broken(k);
     const double damage = bond_damage(bonds, k);
     const law::BondForce<double> force =
-        gone ? law::BondForce<double>{} : Law::respond(bonds.params, bonds.radius[k], motion, history);
+        gone ? law::BondForce<double>{} : step::held_force(bonds, state.elements, k);
     columns.state.push_back(gone ? broken : (damage > 0.0 ? plastic : intact));
     columns.normal.push_back(force.normal);
     columns.shear.push_back(force.shear);
     columns.stretch.push_back(motion.stretch);
     columns.damage.push_back(damage);
     double when = -1.0;
-    if constexpr (Law::breaks) when = gone ? bonds.break_time[k] : -1.0;
+    if constexpr (Bonds::law::breaks) when = gone ? bonds.break_time[k] : -1.0;
     columns.break_time.push_back(when);
 }
 

@@ -1,6 +1,6 @@
 #include "engine/observe/ledger.hpp"
 
-#include "engine/step/bond_forces.hpp"
+#include "engine/step/facet_forces.hpp"
 #include "engine/step/motion.hpp"
 
 #include <algorithm>
@@ -43,14 +43,26 @@ Motion motion_energy(const state::State& state) {
 }
 
 template <class Law>
-void add_bonds(const state::State& state, const state::BondSet<Law>& bonds, Ledger& ledger) {
-    for (std::size_t k = 0; k < bonds.size(); ++k) {
-        const auto history = bonds.history.at(k);
-        if (!bonds.is_broken(k)) {
-            ledger.bonds += Law::stored_energy(bonds.params, step::motion_of(bonds, state.elements, k), history);
-        }
-        if constexpr (Law::breaks) ledger.plastic += history.work;
+double energy_of_cells(const state::BondSet<Law>& /*bonds*/) {
+    return 0.0;
+}
+
+template <class Law>
+double energy_of_cells(const state::FacetSet<Law>& bonds) {
+    double sum = 0.0;
+    for (std::size_t e = 0; e < bonds.pressure.size(); ++e) {
+        sum += step::cell_energy(bonds.pressure[e], bonds.pressure_per_growth[e]);
     }
+    return sum;
+}
+
+template <class Bonds>
+void add_bonds(const state::State& state, const Bonds& bonds, Ledger& ledger) {
+    for (std::size_t k = 0; k < bonds.size(); ++k) {
+        if (!bonds.is_broken(k)) ledger.bonds += step::stored_energy(bonds, state.elements, k);
+        if constexpr (Bonds::law::breaks) ledger.plastic += bonds.history.at(k).work;
+    }
+    ledger.bonds += energy_of_cells(bonds);
     for (const double spent : bonds.dashpots.spent) ledger.bond_damping += spent;
     ledger.fracture += bonds.fracture_work;
 }

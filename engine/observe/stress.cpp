@@ -25,6 +25,18 @@ void add_pairs(const Pairs& pairs, const state::Elements& elements, std::vector<
     }
 }
 
+/// A facet's force acts at its middle.
+template <class Law>
+void add_pairs(const state::FacetSet<Law>& bonds, const state::Elements& elements, std::vector<double>& stress) {
+    for (std::size_t k = 0; k < bonds.size(); ++k) {
+        const Vec2 span = elements.position(bonds.j[k]) - elements.position(bonds.i[k]);
+        const Vec2 aside = (bonds.centre[k] / norm(span)) * turned_left(span);
+        const Vec2 f{bonds.fx[k], bonds.fy[k]};
+        add(stress, bonds.i[k], f, bonds.share_i[k] * span + aside);
+        add(stress, bonds.j[k], -f, (bonds.share_i[k] - 1.0) * span + aside);
+    }
+}
+
 } // namespace
 
 std::vector<double> stress_of_elements(const state::State& state) {

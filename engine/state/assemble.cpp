@@ -43,9 +43,31 @@ packing::Packing packed(const model::Body& body) {
         body.packing);
 }
 
+/// The cells of a body whose network needs them. What the elements weigh then follows from their cells.
+std::optional<packing::Cells> shared_out(const model::Body& body, packing::Packing& pack) {
+    const std::optional<model::Network> network = model::network_of(body);
+    if (pack.centre.empty() || (network != model::Network::facets && network != model::Network::delaunay)) return {};
+    packing::Cells cells = packing::cells_of(pack.centre, pack.radius, body.region);
+    for (std::size_t k = 0; k < pack.centre.size(); ++k) {
+        if (cells.area[k] > 0.0) continue;
+        throw SceneError(Problem{body.place, "body.packing", '"' + body.name + '"',
+                                 fmt::format("element {} at ({:.6g}, {:.6g}) m has no cell of its own", k,
+                                             pack.centre[k].x, pack.centre[k].y),
+                                 "is it hidden by larger ones, or outside the region?"});
+    }
+    pack.cell_area = cells.area;
+    return cells;
+}
+
+/// Facets take materials that eq. 16 has no shear stiffness for; loose elements of these meet as if nu* were 1/4.
+law::ContactStiffness stiffness_in_contact(law::PlaneModuli moduli, double thickness) {
+    if (moduli.poissons_ratio > 1.0 / 3.0) moduli.poissons_ratio = 0.25;
+    return law::contact_stiffness(moduli, thickness);
+}
+
 MaterialFacts facts_of(const model::Material& material, const model::Scene& scene) {
     MaterialFacts facts;
-    facts.stiffness = law::contact_stiffness(
+    facts.stiffness = stiffness_in_contact(
         law::plane_moduli(material.youngs_modulus, material.poissons_ratio, scene.plane == model::Plane::strain),
         scene.thickness);
     facts.friction = material.friction;
@@ -193,10 +215,12 @@ Assembly assemble(const model::Scene& scene) {
     lay_out_materials(scene, state);
 
     std::vector<Problem> problems;
+    std::vector<std::optional<packing::Cells>> cells;
     Index clusters = 0;
     for (std::size_t row = 0; row < scene.bodies.size(); ++row) {
         const model::Body& said = scene.bodies[row];
-        const packing::Packing pack = packed(said);
+        packing::Packing pack = packed(said);
+        cells.push_back(shared_out(said, pack));
         if (pack.centre.empty()) {
             problems.push_back({said.place, "body.region", '"' + said.name + '"', "is too small for one element",
                                 "make the region larger or the elements smaller"});
@@ -215,7 +239,10 @@ Assembly assemble(const model::Scene& scene) {
         const model::Body& said = scene.bodies[row];
         set_moving(said, row, state);
         std::optional<AnyBondSet> bonds;
-        if (!said.rigid) bonds = bond_body(state, row, said.bonds, scene.materials[said.material], scene.plane);
+        if (const std::optional<model::Network> network = model::network_of(said)) {
+            const BondedBody body{row, *network, cells[row] ? &*cells[row] : nullptr};
+            bonds = bond_body(state, body, said.bonds, scene.materials[said.material], scene.plane);
+        }
         assembly.notes.push_back(describe(state, row, bonds ? &*bonds : nullptr));
         if (bonds) state.bond_sets.push_back(std::move(*bonds));
     }

@@ -1,6 +1,7 @@
 #include "engine/state/bond_assembly.hpp"
 
 #include "engine/bonding/bonding.hpp"
+#include "engine/bonding/facets.hpp"
 #include "engine/state/incidence.hpp"
 
 #include <algorithm>
@@ -24,8 +25,15 @@ std::vector<bonding::Pair> near_pairs(const State& state, const Body& body, doub
     return bonding::pairs_within(centre, radius, search);
 }
 
+std::vector<bonding::Pair> neighbours(const packing::Cells& cells) {
+    std::vector<bonding::Pair> pairs;
+    for (const packing::Facet& facet : cells.facets) pairs.emplace_back(facet.i, facet.j);
+    return pairs;
+}
+
+/// Everything about the pairs but what holds them.
 template <class Law>
-void lay_out(BondSet<Law>& bonds, const State& state, const std::vector<bonding::Pair>& pairs) {
+void lay_out(BondTable<Law>& bonds, const State& state, const std::vector<bonding::Pair>& pairs) {
     const Elements& elements = state.elements;
     const Body& body = state.bodies[bonds.body];
     for (const auto& [a, b] : pairs) {
@@ -58,49 +66,158 @@ void grow_dashpots(BondDashpots& dashpots, std::size_t rows) {
     }
 }
 
-/// Dashpots at a fraction of the critical damping 2 sqrt(K m) of each bond, m the reduced mass of its elements.
 template <class Law>
-void add_dashpots(BondSet<Law>& bonds, const Elements& elements, double fraction) {
+law::ContactStiffness stiffness_of(const BondSet<Law>& bonds, std::size_t /*k*/) {
+    return {bonds.params.Kn, bonds.params.Kt};
+}
+
+/// Of a facet whose neighbours stand still.
+template <class Law>
+law::ContactStiffness stiffness_of(const FacetSet<Law>& bonds, std::size_t k) {
+    const double at_i = bonds.pressure_per_growth[bonds.i[k] - bonds.incidence.first];
+    const double at_j = bonds.pressure_per_growth[bonds.j[k] - bonds.incidence.first];
+    const law::FacetVector<double>& g_i = bonds.growth_i[k];
+    const law::FacetVector<double>& g_j = bonds.growth_j[k];
+    return {bonds.springs[k].nn + at_i * g_i.normal * g_i.normal + at_j * g_j.normal * g_j.normal,
+            bonds.springs[k].tt + at_i * g_i.shear * g_i.shear + at_j * g_j.shear * g_j.shear};
+}
+
+/// Dashpots at a fraction of the critical damping 2 sqrt(K m) of each bond, m the reduced mass of its elements.
+template <class Bonds>
+void add_dashpots(Bonds& bonds, const Elements& elements, double fraction) {
     grow_dashpots(bonds.dashpots, bonds.size());
     for (std::size_t k = 0; k < bonds.size(); ++k) {
         const double m = 1.0 / (elements.inverse_mass[bonds.i[k]] + elements.inverse_mass[bonds.j[k]]);
-        bonds.dashpots.Cn[k] += 2.0 * fraction * std::sqrt(bonds.params.Kn * m);
-        bonds.dashpots.Ct[k] += 2.0 * fraction * std::sqrt(bonds.params.Kt * m);
+        const law::ContactStiffness spring = stiffness_of(bonds, k);
+        bonds.dashpots.Cn[k] += 2.0 * fraction * std::sqrt(spring.normal * m);
+        bonds.dashpots.Ct[k] += 2.0 * fraction * std::sqrt(spring.shear * m);
     }
 }
 
+/// Stiffness that facet k meets when all facets of both its cells yield together: the sum of its row, magnitudes taken,
+/// so that facets that yield at once do not let go of more than they must.
 template <class Law>
-std::optional<AnyBondSet> bonds_of(const State& state, std::size_t body, double search, double damping,
-                                   const typename Law::Params& params) {
-    const std::vector<bonding::Pair> pairs = near_pairs(state, state.bodies[body], search);
-    if (pairs.empty()) return std::nullopt;
+law::ContactStiffness row_stiffness(const FacetSet<Law>& bonds, const std::vector<double>& grown, std::size_t k) {
+    const auto coupled = [&](Index element, double own) {
+        const std::size_t e = element - bonds.incidence.first;
+        return bonds.pressure_per_growth[e] * std::abs(own) * grown[e];
+    };
+    const law::FacetVector<double>& g_i = bonds.growth_i[k];
+    const law::FacetVector<double>& g_j = bonds.growth_j[k];
+    const law::FacetSprings<double>& K = bonds.springs[k];
+    return {K.nn + std::abs(K.nt) + coupled(bonds.i[k], g_i.normal) +
+                coupled(bonds.j[k], g_j.normal),
+            K.tt + std::abs(K.nt) + coupled(bonds.i[k], g_i.shear) +
+                coupled(bonds.j[k], g_j.shear)};
+}
+
+template <class Law>
+void find_yielding_stiffness(FacetSet<Law>& bonds) {
+    std::vector<double> grown(bonds.pressure_per_growth.size());
+    for (std::size_t k = 0; k < bonds.size(); ++k) {
+        grown[bonds.i[k] - bonds.incidence.first] += std::abs(bonds.growth_i[k].normal) + std::abs(bonds.growth_i[k].shear);
+        grown[bonds.j[k] - bonds.incidence.first] += std::abs(bonds.growth_j[k].normal) + std::abs(bonds.growth_j[k].shear);
+    }
+    for (std::size_t k = 0; k < bonds.size(); ++k) bonds.yielding.push_back(row_stiffness(bonds, grown, k));
+}
+
+template <class Law>
+FacetSet<Law> facets_of(const State& state, const BondedBody& said, double damping, const law::FacetModuli& moduli,
+                        const typename Law::Tractions& tractions) {
+    const Body& body = state.bodies[said.body];
+    std::vector<Vec2> centre;
+    std::vector<double> radius;
+    for (std::size_t k = body.first; k < body.last; ++k) {
+        centre.push_back(state.elements.position(k));
+        radius.push_back(state.elements.radius[k]);
+    }
+    const bonding::FacetNetwork network =
+        bonding::facet_network(*said.cells, centre, radius, moduli, state.thickness);
+    FacetSet<Law> bonds;
+    bonds.tractions = tractions;
+    bonds.body = said.body;
+    lay_out(bonds, state, neighbours(*said.cells));
+    for (std::size_t k = 0; k < network.bonds.size(); ++k) {
+        const bonding::FacetBond& bond = network.bonds[k];
+        bonds.share_i[k] = bond.share_i;
+        bonds.springs.push_back(bond.springs);
+        bonds.growth_i.push_back(bond.growth_i);
+        bonds.growth_j.push_back(bond.growth_j);
+        bonds.area.push_back(bond.whole.area);
+        bonds.centre.push_back(bond.whole.centre);
+    }
+    for (const double volume : network.volume) {
+        bonds.pressure_per_growth.push_back(volume > 0.0 ? state.thickness * moduli.lame / volume : 0.0);
+    }
+    find_yielding_stiffness(bonds);
+    bonds.motion.resize(bonds.size());
+    bonds.grown_i.resize(bonds.size());
+    bonds.grown_j.resize(bonds.size());
+    bonds.pressure.resize(body.size());
+    if (damping > 0.0) add_dashpots(bonds, state.elements, damping);
+    return bonds;
+}
+
+template <class Law>
+BondSet<Law> pairs_of(const State& state, const BondedBody& said, double damping,
+                      const std::vector<bonding::Pair>& pairs, const typename Law::Params& params) {
     BondSet<Law> bonds;
     bonds.params = params;
-    bonds.body = body;
+    bonds.body = said.body;
     lay_out(bonds, state, pairs);
     if (damping > 0.0) add_dashpots(bonds, state.elements, damping);
     return bonds;
 }
 
+/// What a choice of bonds means for a material: the law's parameters either way.
+template <class Law>
+struct Derived {
+    typename Law::Params params;
+    typename Law::Tractions tractions;
+};
+
+Derived<law::Elastic> derived(const model::ElasticBonds& /*said*/, const model::Material& /*material*/,
+                              law::PlaneModuli /*moduli*/, law::ContactStiffness k, double /*thickness*/) {
+    return {law::Elastic::derive(k), {}};
+}
+
+Derived<law::Plateau> derived(const model::PlateauBonds& said, const model::Material& material,
+                              law::PlaneModuli moduli, law::ContactStiffness k, double thickness) {
+    const double strength = material.tensile_strength.value();
+    const double toughness = material.fracture_toughness.value();
+    return {law::Plateau::derive(k, moduli, thickness, strength, toughness, material.rate_factor, said.break_in_shear),
+            law::Plateau::derive_tractions(moduli, thickness, strength, toughness, material.rate_factor,
+                                           said.break_in_shear)};
+}
+
+template <class Choice, class Law>
+AnyBondSet bonds_of(const State& state, const BondedBody& said, const Choice& choice, law::PlaneModuli moduli,
+                    const Derived<Law>& law) {
+    if (said.network == model::Network::facets) {
+        return facets_of<Law>(state, said, choice.damping, law::facet_moduli(moduli), law.tractions);
+    }
+    const std::vector<bonding::Pair> pairs = said.network == model::Network::delaunay
+                                                 ? neighbours(*said.cells)
+                                                 : near_pairs(state, state.bodies[said.body], choice.search);
+    return pairs_of<Law>(state, said, choice.damping, pairs, law.params);
+}
+
 } // namespace
 
-std::optional<AnyBondSet> bond_body(const State& state, std::size_t body, const model::BondChoice& choice,
+std::optional<AnyBondSet> bond_body(const State& state, const BondedBody& said, const model::BondChoice& choice,
                                     const model::Material& material, model::Plane plane) {
     const law::PlaneModuli moduli =
         law::plane_moduli(material.youngs_modulus, material.poissons_ratio, plane == model::Plane::strain);
     const law::ContactStiffness k = law::contact_stiffness(moduli, state.thickness);
     return std::visit(
         [&](const auto& bonds) -> std::optional<AnyBondSet> {
-            using Choice = std::decay_t<decltype(bonds)>;
-            if constexpr (std::is_same_v<Choice, model::ElasticBonds>) {
-                return bonds_of<law::Elastic>(state, body, bonds.search, bonds.damping, law::Elastic::derive(k));
-            } else if constexpr (std::is_same_v<Choice, model::PlateauBonds>) {
-                const law::Plateau::Params params = law::Plateau::derive(
-                    k, moduli, state.thickness, material.tensile_strength.value(), material.fracture_toughness.value(),
-                    material.rate_factor, bonds.break_in_shear);
-                return bonds_of<law::Plateau>(state, body, bonds.search, bonds.damping, params);
-            } else {
+            if constexpr (std::is_same_v<std::decay_t<decltype(bonds)>, model::NoBonds>) {
                 return std::nullopt;
+            } else {
+                AnyBondSet set = bonds_of(state, said, bonds, moduli,
+                                          derived(bonds, material, moduli, k, state.thickness));
+                const bool empty = std::visit([](const auto& made) { return made.size() == 0; }, set);
+                return empty ? std::nullopt : std::optional<AnyBondSet>(std::move(set));
             }
         },
         choice);
@@ -111,8 +228,9 @@ void add_stiffness_damping(AnyBondSet& any, double beta) {
         [&](auto& bonds) {
             if (!bonds.dashpots.present()) grow_dashpots(bonds.dashpots, bonds.size());
             for (std::size_t k = 0; k < bonds.size(); ++k) {
-                bonds.dashpots.Cn[k] += beta * bonds.params.Kn;
-                bonds.dashpots.Ct[k] += beta * bonds.params.Kt;
+                const law::ContactStiffness spring = stiffness_of(bonds, k);
+                bonds.dashpots.Cn[k] += beta * spring.normal;
+                bonds.dashpots.Ct[k] += beta * spring.shear;
             }
         },
         any);

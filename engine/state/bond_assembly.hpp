@@ -3,15 +3,23 @@
 
 #include "engine/law/rayleigh.hpp"
 #include "engine/model/scene.hpp"
+#include "engine/packing/cells.hpp"
 #include "engine/state/state.hpp"
 
 #include <optional>
 
 namespace demlua::state {
 
-/// Bonds of `body` (a row of state.bodies) at zero force, or nothing when it asks for none or no two elements are near
-/// enough. The dashpots are the law's own fraction of critical of one bond.
-std::optional<AnyBondSet> bond_body(const State& state, std::size_t body, const model::BondChoice& choice,
+/// A body to be bonded: its row of state.bodies, and the cells of its elements where the network needs them.
+struct BondedBody {
+    std::size_t body = 0;
+    model::Network network = model::Network::contacts; ///< not automatic
+    const packing::Cells* cells = nullptr;             ///< for facets and delaunay
+};
+
+/// Bonds of a body at zero force, or nothing when it asks for none or no two elements are near enough. The dashpots are
+/// the law's own fraction of critical of one bond.
+std::optional<AnyBondSet> bond_body(const State& state, const BondedBody& body, const model::BondChoice& choice,
                                     const model::Material& material, model::Plane plane);
 
 /// Adds dashpots beta Kn and beta Kt (`beta` in s) to the bonds, or changes them by that much when present.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/base/column.hpp"
+#include "engine/law/facet.hpp"
 #include "engine/law/laws.hpp"
 #include "engine/state/history.hpp"
 
@@ -31,18 +32,18 @@ struct BondDashpots {
     [[nodiscard]] bool present() const { return !Cn.empty(); }
 };
 
+/// What all bonds have, whatever holds them.
 template <class Law>
-struct BondSet {
+struct BondTable {
     using History = typename Law::template History<double>;
     using law = Law;
 
-    typename Law::Params params;
     std::size_t body = 0;
 
     Column<Index> i, j;     ///< rows of elements, i < j
     Column<double> Dx, Dy;  ///< from i to j at bonding, m
     Column<double> length;  ///< of D, m
-    Column<double> share_i; ///< R_i/(R_i + R_j)
+    Column<double> share_i; ///< of the length that belongs to i
     Column<double> radius;  ///< mean of the two, m
     HistoryColumns<History> history;
     BondDashpots dashpots;
@@ -66,6 +67,29 @@ struct BondSet {
     }
 };
 
-using AnyBondSet = law::ForEachBondLaw<BondSet, std::variant>;
+/// Bonds between pairs of elements, alike but for their radii.
+template <class Law>
+struct BondSet : BondTable<Law> {
+    typename Law::Params params;
+};
+
+/// Bonds across the facets of cells, with one pressure per cell (law/facet.hpp).
+template <class Law>
+struct FacetSet : BondTable<Law> {
+    typename Law::Tractions tractions;
+    Column<law::FacetSprings<double>> springs;
+    Column<law::FacetVector<double>> growth_i, growth_j; ///< of the cells of i and j with q
+    Column<double> area;                                 ///< of the facet, m
+    Column<double> centre;                               ///< of the facet, from the bond's line along t, m
+    Column<law::ContactStiffness> yielding; ///< stiffness that a yielding facet meets, its neighbours' at most, N/m
+    Column<double> pressure_per_growth;     ///< b lam/V of each cell, N/m^3; rows from the body's first element on
+
+    // as computed in the first of the two passes of a step
+    Column<law::BondMotion<double>> motion;
+    Column<double> grown_i, grown_j; ///< growth_i.q, growth_j.q, m^2
+    Column<double> pressure;         ///< p of each cell, N/m
+};
+
+using AnyBondSet = law::ForEachBondLaw<BondSet, FacetSet, std::variant>;
 
 } // namespace demlua::state

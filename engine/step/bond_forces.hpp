@@ -11,7 +11,7 @@ namespace demlua::step {
 
 /// Kinematics of one bond in the present configuration.
 template <class Law>
-DEMLUA_INLINE law::BondMotion<double> motion_of(const state::BondSet<Law>& bonds, const state::Elements& elements,
+DEMLUA_INLINE law::BondMotion<double> motion_of(const state::BondTable<Law>& bonds, const state::Elements& elements,
                                                 std::size_t k) {
     const std::size_t i = bonds.i[k];
     const std::size_t j = bonds.j[k];
@@ -23,7 +23,7 @@ DEMLUA_INLINE law::BondMotion<double> motion_of(const state::BondSet<Law>& bonds
 
 /// Speeds at which a bond stretches and shears, m/s, from the velocities of the last half step.
 template <class Law>
-law::BondForce<double> rates_of(const state::BondSet<Law>& bonds, const state::Elements& elements, std::size_t k,
+law::BondForce<double> rates_of(const state::BondTable<Law>& bonds, const state::Elements& elements, std::size_t k,
                                 const law::BondMotion<double>& motion) {
     const std::size_t i = bonds.i[k];
     const std::size_t j = bonds.j[k];
@@ -34,10 +34,28 @@ law::BondForce<double> rates_of(const state::BondSet<Law>& bonds, const state::E
     return {dot(v, motion.normal), l * (turning - s * elements.spin[i] - (1.0 - s) * elements.spin[j])};
 }
 
+template <class Law>
+typename Law::Params params_of(const state::BondSet<Law>& bonds, std::size_t /*k*/) {
+    return bonds.params;
+}
+
+/// Force of the springs at the present instant, N.
+template <class Law>
+law::BondForce<double> held_force(const state::BondSet<Law>& bonds, const state::Elements& elements, std::size_t k) {
+    auto history = bonds.history.at(k);
+    return Law::respond(bonds.params, bonds.radius[k], motion_of(bonds, elements, k), history);
+}
+
+/// Energy in the springs at the present instant, J.
+template <class Law>
+double stored_energy(const state::BondSet<Law>& bonds, const state::Elements& elements, std::size_t k) {
+    return Law::stored_energy(bonds.params, motion_of(bonds, elements, k), bonds.history.at(k));
+}
+
 /// Adds the dashpots' forces to `force` and books what they spend: the mean of the forces at the two ends of the step
 /// times the displacement, as central difference exchanges it.
 template <class Law>
-void add_dashpots(state::BondSet<Law>& bonds, std::size_t k, law::BondForce<double> rate, double dt,
+void add_dashpots(state::BondTable<Law>& bonds, std::size_t k, law::BondForce<double> rate, double dt,
                   law::BondForce<double>& force) {
     state::BondDashpots& dashpots = bonds.dashpots;
     const double normal = dashpots.Cn[k] * rate.normal;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/state/state.hpp"
-#include "engine/step/bond_forces.hpp"
+#include "engine/step/facet_forces.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -22,13 +22,19 @@ struct NewContact {
 state::ContactHistory inherited(const law::Coulomb::Params& contact, double overlap, double elastic_shear,
                                 double slide);
 
+/// Takes bond `k` out of the energy of its set and gives what is lost, J.
+template <class Law>
+double let_go(const state::BondSet<Law>& bonds, const state::Elements& elements, std::size_t k) {
+    return stored_energy(bonds, elements, k);
+}
+
 /// Takes the bonds named in `breaking` (rows, rising) out of the set: no force from this instant on, energies booked,
 /// and a contact in each one's place. Its reference length is the bond's unstressed length, no longer than the sum of the
 /// radii if the bond broke in tension: falling back to the radii would release the pack's overlap as energy.
-template <class Law>
-void settle_broken(state::State& state, state::BondSet<Law>& bonds, const std::vector<Index>& breaking,
+template <class Bonds>
+void settle_broken(state::State& state, Bonds& bonds, const std::vector<Index>& breaking,
                    std::vector<NewContact>& contacts) {
-    if constexpr (Law::breaks) {
+    if constexpr (Bonds::law::breaks) {
         const state::Elements& elements = state.elements;
         const std::size_t material = state.bodies[bonds.body].material;
         const law::Coulomb::Params& contact =
@@ -49,8 +55,8 @@ void settle_broken(state::State& state, state::BondSet<Law>& bonds, const std::v
                             inherited(contact, overlap, motion.shear - history.shear, rate * state.dt)};
             state::ContactHistory settled = left.history;
             if (overlap > 0.0) settled.shear += rate * state.dt;
-            bonds.fracture_work += Law::stored_energy(bonds.params, motion, history) -
-                                   law::Coulomb::stored_energy(contact, overlap, settled);
+            bonds.fracture_work +=
+                let_go(bonds, elements, k) - law::Coulomb::stored_energy(contact, overlap, settled);
             bonds.broken[k] = 1;
             ++bonds.broken_count;
             bonds.contact_length[k] = reference;

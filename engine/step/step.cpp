@@ -41,6 +41,26 @@ void compute_bonds(state::State& state, Stepper& stepper, state::BondSet<Law>& b
     add_pair_forces(bonds, state.elements, stepper.team);
 }
 
+template <class Law>
+void compute_bonds(state::State& state, Stepper& stepper, state::FacetSet<Law>& bonds) {
+    std::vector<std::vector<Failing<Law>>> failing(stepper.team.parts());
+    stepper.team.share(bonds.size(), [&](Share part) { measure_facets(bonds, state.elements, part); });
+    stepper.team.share(bonds.pressure.size(), [&](Share part) {
+        for (std::size_t e = part.begin; e < part.end; ++e) press_cell(bonds, e);
+    });
+    stepper.team.share(bonds.size(), [&](Share part) {
+        facet_forces(bonds, state.elements, state.dt, part, failing[part.part]);
+    });
+    if constexpr (Law::breaks) {
+        std::vector<NewContact> contacts;
+        const std::vector<Index> breaking = settle_yielding(bonds, state.elements, failing);
+        settle_broken(state, bonds, breaking, contacts);
+        if (!breaking.empty()) refresh_around(bonds, state.elements, breaking);
+        append_contacts(state, stepper.search, contacts);
+    }
+    add_pair_forces(bonds, state.elements, stepper.team);
+}
+
 void compute_contacts(state::State& state, Stepper& stepper) {
     stepper.team.share(state.contacts.size(),
                        [&](Share part) { contact_forces(state.contacts, state.elements, state.dt, part); });

@@ -52,6 +52,53 @@ void add_bonds(const state::BondSet<Law>& bonds, const state::Elements& elements
     }
 }
 
+/// Rows of an element's displacements to stretch, shear and turn of a bond. `toward` is +1 for j, -1 for i.
+Eigen::Matrix3d rows(const state::Elements& elements, std::size_t k, Vec2 n, double arm, double toward) {
+    Eigen::Matrix3d B;
+    B.row(0) = toward * row(elements, k, n, 0.0);
+    B.row(1) = toward * row(elements, k, turned_left(n), toward * arm);
+    B.row(2) = Eigen::Vector3d{0.0, 0.0, toward * std::sqrt(elements.inverse_inertia[k])};
+    return B;
+}
+
+Eigen::Vector3d as_vector(const law::FacetVector<double>& v) { return {v.normal, v.shear, v.turn}; }
+
+Eigen::Matrix3d as_matrix(const law::FacetSprings<double>& K) {
+    Eigen::Matrix3d matrix;
+    matrix << K.nn, K.nt, K.nw, K.nt, K.tt, K.tw, K.nw, K.tw, K.ww;
+    return matrix;
+}
+
+/// A cell's energy is bounded by that of as many cells as it touches elements, each moved by one element alone.
+template <class Law>
+void add_bonds(const state::FacetSet<Law>& bonds, const state::Elements& elements, std::vector<Held>& held) {
+    const std::size_t first = bonds.incidence.first;
+    std::vector<Eigen::Vector3d> own(bonds.pressure.size(), Eigen::Vector3d::Zero());
+    const auto sides = [&](std::size_t e) { return static_cast<double>(bonds.incidence.start[e + 1] - bonds.incidence.start[e]); };
+    const auto press = [&](std::size_t e, std::size_t k, const Eigen::Vector3d& g) {
+        held[k].stiffness += 0.5 * (sides(e) + 1.0) * bonds.pressure_per_growth[e] * g * g.transpose();
+    };
+    for (std::size_t bond = 0; bond < bonds.size(); ++bond) {
+        if (bonds.is_broken(bond)) continue;
+        const std::size_t i = bonds.i[bond];
+        const std::size_t j = bonds.j[bond];
+        const Vec2 n = Vec2{bonds.Dx[bond], bonds.Dy[bond]} / bonds.length[bond];
+        const double arm = bonds.length[bond] * bonds.share_i[bond];
+        const Eigen::Matrix3d Bi = rows(elements, i, n, arm, -1.0);
+        const Eigen::Matrix3d Bj = rows(elements, j, n, bonds.length[bond] - arm, 1.0);
+        const Eigen::Matrix3d K = as_matrix(bonds.springs[bond]);
+        held[i].stiffness += Bi.transpose() * K * Bi;
+        held[j].stiffness += Bj.transpose() * K * Bj;
+        press(i - first, j, Bj.transpose() * as_vector(bonds.growth_i[bond]));
+        press(j - first, i, Bi.transpose() * as_vector(bonds.growth_j[bond]));
+        own[i - first] += Bi.transpose() * as_vector(bonds.growth_i[bond]);
+        own[j - first] += Bj.transpose() * as_vector(bonds.growth_j[bond]);
+        ++held[i].pairs;
+        ++held[j].pairs;
+    }
+    for (std::size_t e = 0; e < own.size(); ++e) press(e, first + e, own[e]);
+}
+
 double largest_eigenvalue(const Block& block) {
     return Eigen::SelfAdjointEigenSolver<Block>(block, Eigen::EigenvaluesOnly).eigenvalues()[2];
 }

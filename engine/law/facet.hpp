@@ -1,0 +1,130 @@
+// Facet springs and one pressure per cell: a pack of any shape that is elastically exact.
+//
+// The plane is shared out in cells. Across the facet of length A between the elements i and j, a bond's length l apart:
+//
+//   q = (e, ut, w)                      stretch and shear displacement of bond_motion, w = theta_j - theta_i
+//   dn = e - c w,   dt = ut             how far the facet's midpoint opens and slides; c its place along t, 0 on the bond
+//   D_i = sum A (s_i e + c (ut/l + s_j w)),   D_j = sum A (s_j e - c (ut/l - s_i w))       growth of the cells, m^2
+//   U = sum_facets b (2G A/l) (dn^2 + dt^2 + A^2/12 w^2)/2 + sum_cells b lam D^2/(2 V)
+//   2G = E*/(1 + nu*),   lam = E* nu*/(1 - nu*^2)
+//   p = b lam D/V,   normal force = (2G b A/l) dn + A (s_i p_i + s_j p_j),   shear = (2G b A/l) dt + (A c/l) (p_i - p_j)
+//
+// b thickness, V area of the cell, s_i, s_j shares of l on either side of the facet. In a uniform field the forces are the
+// Cauchy tractions times A b on any pack, for any nu* below 1: neither E nor nu is fitted.
+//
+// A facet that ends on a free wall is split where the bond's line crosses it. The part beyond, A_out long and c_out from
+// the bond's line, is a bar along the wall's tangent T of Young's modulus E*:
+//
+//   U += (E* b A_out/l) (T_n (e - c_out w) + T_t ut)^2/2 + (E* b A_out^3/(12 l)) (T_n w)^2/2
+//
+// and the cells are closed along the bond's line, h = +1 where the wall lies towards t, -1 where it lies away from it:
+//
+//   D_i += h (s_i l)^2/2 (ut/l + s_j w),   D_j -= h (s_j l)^2/2 (ut/l - s_i w).
+//
+// Source: derived from the divergence theorem for cells, as their growth under a uniform strain is V tr(strain).
+// Limits: small strains within a cell; springs of one sign only, so U is never negative whatever is broken.
+#pragma once
+
+#include "engine/base/lanes.hpp"
+#include "engine/law/stiffness.hpp"
+
+namespace demlua::law {
+
+/// Stretch (m), shear displacement (m) and turn of j against i (rad) of a bond; or what does work on them: normal and
+/// shear force (N) and bending moment (N m); or how fast a cell grows with each (m, m, m^2).
+template <class T>
+struct FacetVector {
+    T normal{};
+    T shear{};
+    T turn{};
+
+    friend FacetVector operator+(FacetVector a, FacetVector b) {
+        return {a.normal + b.normal, a.shear + b.shear, a.turn + b.turn};
+    }
+    friend FacetVector operator-(FacetVector a, FacetVector b) {
+        return {a.normal - b.normal, a.shear - b.shear, a.turn - b.turn};
+    }
+    friend FacetVector operator*(T s, FacetVector a) { return {s * a.normal, s * a.shear, s * a.turn}; }
+};
+
+template <class T>
+T dot(FacetVector<T> a, FacetVector<T> b) {
+    return a.normal * b.normal + a.shear * b.shear + a.turn * b.turn;
+}
+
+/// Symmetric stiffness of a bond against q.
+template <class T>
+struct FacetSprings {
+    T nn{}, nt{}, tt{}; ///< N/m
+    T nw{}, tw{};       ///< N
+    T ww{};             ///< N m
+
+    friend FacetVector<T> operator*(const FacetSprings& K, FacetVector<T> q) {
+        return {K.nn * q.normal + K.nt * q.shear + K.nw * q.turn, K.nt * q.normal + K.tt * q.shear + K.tw * q.turn,
+                K.nw * q.normal + K.tw * q.shear + K.ww * q.turn};
+    }
+    /// Adds the energy k (g.q)^2/2.
+    void add(T k, FacetVector<T> g) {
+        nn += k * g.normal * g.normal;
+        nt += k * g.normal * g.shear;
+        tt += k * g.shear * g.shear;
+        nw += k * g.normal * g.turn;
+        tw += k * g.shear * g.turn;
+        ww += k * g.turn * g.turn;
+    }
+};
+
+/// A stretch of facet, measured along t.
+struct FacetPart {
+    double area = 0.0;   ///< its length, m
+    double centre = 0.0; ///< of its midpoint, from the bond's line, m
+};
+
+/// The moduli facets are made of, Pa.
+struct FacetModuli {
+    double twice_shear = 0.0; ///< 2G
+    double lame = 0.0;        ///< lam
+    double youngs = 0.0;      ///< E*, of the bars along free walls
+};
+
+/// nu* below 1: any material in plane stress, nu below 1/2 in plane strain.
+constexpr FacetModuli facet_moduli(PlaneModuli plane) {
+    const double nu = plane.poissons_ratio;
+    return {plane.youngs_modulus / (1.0 + nu), plane.youngs_modulus * nu / (1.0 - nu * nu), plane.youngs_modulus};
+}
+
+/// Springs of the part of a facet that lies inside the body. `length` of the bond and `thickness` in m.
+inline FacetSprings<double> facet_springs(const FacetModuli& moduli, FacetPart part, double length, double thickness) {
+    const double k = moduli.twice_shear * thickness * part.area / length;
+    FacetSprings<double> springs;
+    springs.add(k, {1.0, 0.0, -part.centre});
+    springs.add(k, {0.0, 1.0, 0.0});
+    springs.add(k * part.area * part.area / 12.0, {0.0, 0.0, 1.0});
+    return springs;
+}
+
+/// Adds the bar that stands for the part between the bond's line and a free wall, whose unit tangent has the components
+/// `along_n` and `along_t`.
+inline void add_wall_bar(FacetSprings<double>& springs, const FacetModuli& moduli, FacetPart part, double along_n,
+                         double along_t, double length, double thickness) {
+    const double k = moduli.youngs * thickness * part.area / length;
+    springs.add(k, {along_n, along_t, -along_n * part.centre});
+    springs.add(k * part.area * part.area / 12.0, {0.0, 0.0, along_n});
+}
+
+/// Growth of the cells of i (`of_j` false) or j with q, through a facet part.
+inline FacetVector<double> cell_growth(FacetPart part, double length, double share_i, bool of_j) {
+    const double share_j = 1.0 - share_i;
+    if (of_j) return {part.area * share_j, -part.area * part.centre / length, part.area * part.centre * share_i};
+    return {part.area * share_i, part.area * part.centre / length, part.area * part.centre * share_j};
+}
+
+/// Growth through the line that closes a cell beside a free wall; `side` is h.
+inline FacetVector<double> closing_growth(double side, double length, double share_i, bool of_j) {
+    const double share = of_j ? 1.0 - share_i : share_i;
+    const double strip = 0.5 * side * share * share * length * length;
+    if (of_j) return {0.0, -strip / length, strip * share_i};
+    return {0.0, strip / length, strip * (1.0 - share_i)};
+}
+
+} // namespace demlua::law
