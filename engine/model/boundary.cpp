@@ -102,6 +102,40 @@ double swept_area(const Piece& piece, Vec2 about) {
     return piece.around_hole ? -area : area;
 }
 
+namespace {
+
+Swept swept_by_chord(Vec2 from, Vec2 to) {
+    const double area = 0.5 * cross(from, to);
+    return {area, (area / 3.0) * (from + to)};
+}
+
+/// angle - sin(angle) without cancellation.
+double less_its_sine(double angle) {
+    if (angle > 0.3) return angle - std::sin(angle);
+    const double square = angle * angle;
+    return angle * square / 6.0 *
+           (1.0 - square / 20.0 * (1.0 - square / 42.0 * (1.0 - square / 72.0 * (1.0 - square / 110.0))));
+}
+
+} // namespace
+
+Swept swept(const Piece& piece, Vec2 about) {
+    const Vec2 from = piece.at(piece.begin) - about;
+    const Vec2 to = piece.at(piece.end) - about;
+    Swept sum = swept_by_chord(from, to);
+    if (piece.straight()) return sum;
+
+    const double angle = piece.end - piece.begin;
+    const double rest = less_its_sine(angle);
+    const double sine = std::sin(0.5 * angle);
+    const double arm = 4.0 * piece.radius * sine * sine * sine / (3.0 * rest);
+    const double middle = 0.5 * (piece.begin + piece.end);
+    const Vec2 centroid = piece.origin + arm * Vec2{std::cos(middle), std::sin(middle)} - about;
+    const double segment = 0.5 * piece.radius * piece.radius * rest;
+    sum += {segment, segment * centroid};
+    return piece.around_hole ? Swept{-sum.area, -sum.moment} : sum;
+}
+
 // --- boxes -------------------------------------------------------------------------------------------------
 
 namespace {

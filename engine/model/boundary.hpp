@@ -88,6 +88,23 @@ Pieces cut(const Piece& piece, const Pieces& others, double near);
 /// Half the integral of x dy - y dx along a finite piece, about `about`.
 double swept_area(const Piece& piece, Vec2 about);
 
+/// What a ray from a point sweeps over as its tip runs along a piece: `area` (m^2) and `moment`, the integral of the
+/// place seen from that point (m^3). Summed over a closed boundary: area and first moment of what it encloses.
+struct Swept {
+    double area = 0.0;
+    Vec2 moment;
+
+    Swept& operator+=(const Swept& other) {
+        area += other.area;
+        moment += other.moment;
+        return *this;
+    }
+};
+
+/// Along a finite piece, about `about`. An arc counts as its chord and the segment beyond it, so that a large circle
+/// costs no digits.
+Swept swept(const Piece& piece, Vec2 about);
+
 // --- boxes -------------------------------------------------------------------------------------------------
 
 inline constexpr Box nothing{{infinity, infinity}, {-infinity, -infinity}};

@@ -86,6 +86,8 @@ void Region::walls_near(Vec2 point, double reach, std::vector<Boundary>& found) 
     }
 }
 
+const Pieces& Region::boundary() const { return shape_->boundary; }
+
 Box Region::bounds() const { return shape_->box; }
 
 double Region::area() const {

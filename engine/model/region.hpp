@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/base/vec2.hpp"
+#include "engine/model/boundary.hpp"
 
 #include <memory>
 #include <vector>
@@ -54,6 +55,11 @@ public:
 
     /// Smallest box that holds the region; infinite sides where it is unbounded.
     [[nodiscard]] Box bounds() const;
+
+    /// What truly bounds the region: straight pieces and arcs with the region on their left (see Piece for the sense
+    /// of arcs), seams and hidden edges left out, in no particular order. Integrals over the region become sums
+    /// over them. Lives as long as the region.
+    [[nodiscard]] const Pieces& boundary() const;
 
     /// m^2, in closed form over the boundary; infinite for an unbounded region.
     [[nodiscard]] double area() const;
