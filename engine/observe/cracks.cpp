@@ -30,6 +30,17 @@ private:
     std::vector<std::size_t> parent_;
 };
 
+/// Length of crack that one broken bond stands for, m.
+template <class Law>
+double crack_across(const state::BondSet<Law>& bonds, std::size_t k) {
+    return 2.0 * bonds.radius[k];
+}
+
+template <class Law>
+double crack_across(const state::FacetSet<Law>& bonds, std::size_t k) {
+    return bonds.area[k];
+}
+
 template <class Sum, class Of>
 Sum over_bond_sets(const state::State& state, const Of& of) {
     Sum sum{};
@@ -53,7 +64,7 @@ double crack_length_of(const state::State& state) {
     return over_bond_sets<double>(state, [](const auto& bonds) {
         double length = 0.0;
         for (std::size_t k = 0; k < bonds.size(); ++k) {
-            if (bonds.is_broken(k)) length += 2.0 * bonds.radius[k];
+            if (bonds.is_broken(k)) length += crack_across(bonds, k);
         }
         return length;
     });

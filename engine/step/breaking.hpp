@@ -17,10 +17,9 @@ struct NewContact {
     state::ContactHistory history;
 };
 
-/// The contact a bond leaves while its elements are pressed together: it carries on with the bond's shear, as far as
+/// The contact a bond leaves while its elements are pressed together: it carries on with the bond's shear force, as far as
 /// friction lets it. The step's own displacement is taken off because the contact loop will count it.
-state::ContactHistory inherited(const law::Coulomb::Params& contact, double overlap, double elastic_shear,
-                                double slide);
+state::ContactHistory inherited(const law::Coulomb::Params& contact, double overlap, double shear_force, double slide);
 
 /// Takes bond `k` out of the energy of its set and gives what is lost, J.
 template <class Law>
@@ -29,8 +28,9 @@ double let_go(const state::BondSet<Law>& bonds, const state::Elements& elements,
 }
 
 /// Takes the bonds named in `breaking` (rows, rising) out of the set: no force from this instant on, energies booked,
-/// and a contact in each one's place. Its reference length is the bond's unstressed length, no longer than the sum of the
-/// radii if the bond broke in tension: falling back to the radii would release the pack's overlap as energy.
+/// and a contact in each one's place. Its reference length is that at which the contact carries on with the bond's normal
+/// force (which is the bond's unstressed length where both are as stiff), no longer than the sum of the radii if the bond
+/// broke in tension: falling back to the radii would release the pack's overlap as energy.
 template <class Bonds>
 void settle_broken(state::State& state, Bonds& bonds, const std::vector<Index>& breaking,
                    std::vector<NewContact>& contacts) {
@@ -43,16 +43,16 @@ void settle_broken(state::State& state, Bonds& bonds, const std::vector<Index>& 
             const std::size_t i = bonds.i[k];
             const std::size_t j = bonds.j[k];
             const law::BondMotion<double> motion = motion_of(bonds, elements, k);
-            const auto history = bonds.history.at(k);
+            const law::BondForce<double> force = held_force(bonds, elements, k);
             const double rate = rates_of(bonds, elements, k, motion).shear;
             const double touch = elements.radius[i] + elements.radius[j];
-            const double unstressed = bonds.length[k] + history.stretch;
             const double length = bonds.length[k] + motion.stretch;
+            const double unstressed = length - force.normal / contact.Kn;
             const double reference = length > unstressed ? std::min(unstressed, touch) : unstressed;
             const double overlap = reference - length;
 
             NewContact left{static_cast<Index>(i), static_cast<Index>(j), reference,
-                            inherited(contact, overlap, motion.shear - history.shear, rate * state.dt)};
+                            inherited(contact, overlap, force.shear, rate * state.dt)};
             state::ContactHistory settled = left.history;
             if (overlap > 0.0) settled.shear += rate * state.dt;
             bonds.fracture_work +=
