@@ -45,7 +45,7 @@ local concrete = dem.material {
   name = "concrete", youngs_modulus = 30e9, poissons_ratio = 0.2, density = 2400, tensile_strength = 3e6,
   fracture_toughness = 1e6, rate_factor = 3, friction = 0.5, restitution = 0.4,
 }
-local sim = dem.simulation { title = "all", plane = "strain", thickness = 2, gravity = { 0, -9.81 }, step_rule = "paper" }
+local sim = dem.simulation { title = "all", plane = "strain", thickness = 2, gravity = { 0, -9.81 }, time_step = "paper" }
 local beam = sim:body {
   name = "beam", material = concrete, region = dem.rectangle { at = { 1, 2 }, size = { 3, 4 } }, velocity = { 5, 6 }, spin = 7,
   packing = dem.consolidated { cluster = 4, count = 120, seed = 9 }, bonds = dem.plateau { search = 0.2, break_in_shear = true },
@@ -66,7 +66,7 @@ sim:probe { beam.bottom, name = "support", measure = "force_y" }
     CHECK(scene.plane == model::Plane::strain);
     CHECK(scene.thickness == 2.0);
     CHECK(scene.gravity == Vec2{0.0, -9.81});
-    CHECK(scene.step_rule == model::StepRule::paper);
+    CHECK(scene.time_step == model::StepRule::paper);
     REQUIRE(scene.materials.size() == 1);
     CHECK(scene.materials[0].rate_factor == 3.0);
     CHECK(scene.materials[0].restitution == 0.4);

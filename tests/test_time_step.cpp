@@ -56,7 +56,7 @@ TEST_CASE("the bound is the infinite lattice's max(6 Kn + 2 Kt, 24 Kt)/m or at m
     const state::State state = state::assemble(elastic_block(nu)).state;
     const auto& p = std::get<state::BondSet<law::Elastic>>(state.bond_sets[0]).params;
     const double lattice = std::max(6.0 * p.Kn + 2.0 * p.Kt, 24.0 * p.Kt) * state.elements.inverse_mass[0];
-    const double bound = std::pow(2.0 / step::safe_step(state).critical, 2);
+    const double bound = std::pow(2.0 / step::bound_step(state), 2);
     CHECK(bound >= lattice * (1.0 - 1e-9));
     CHECK(bound <= lattice * 1.17);
     // A finite block lies below the infinite lattice.
@@ -72,7 +72,7 @@ TEST_CASE("the bound is safe and not far off on irregular packs") {
     scene.bodies[0].packing = pack;
     const state::State state = state::assemble(scene).state;
     const double exact = exact_frequency_squared(state);
-    const double bound = std::pow(2.0 / step::safe_step(state).critical, 2);
+    const double bound = std::pow(2.0 / step::bound_step(state), 2);
     CHECK(bound >= exact);
     CHECK(bound <= 1.5 * exact);
 }
@@ -82,7 +82,7 @@ TEST_CASE("a step just below the exact limit is stable and one just above is not
     scene.bodies[0].region = model::Region::rectangle({0.0, 0.0}, {8.5 * R, 8.0 * R});
     const state::State state = state::assemble(scene).state;
     const double exact = 2.0 / std::sqrt(exact_frequency_squared(state));
-    const double bound = step::safe_step(state).critical;
+    const double bound = step::bound_step(state);
     const auto grows = [&](double dt) {
         model::Scene run = scene;
         run.step_fraction = dt / bound;
@@ -104,13 +104,13 @@ TEST_CASE("a step just below the exact limit is stable and one just above is not
 
 TEST_CASE("the paper's step is taken when asked for and refused where it is unstable") {
     model::Scene scene = elastic_block(0.2);
-    scene.step_rule = model::StepRule::paper;
+    scene.time_step = model::StepRule::paper;
     scene.step_fraction = 1.0;
     const observe::Simulation sim(scene, 1);
     const auto& p = std::get<state::BondSet<law::Elastic>>(sim.state().bond_sets[0]).params;
     CHECK(sim.time_step() == Approx(0.5 * std::sqrt(sim.state().elements.mass(0) / p.Kn)).epsilon(1e-12));
     model::Scene refused = elastic_block(0.05);
-    refused.step_rule = model::StepRule::paper;
+    refused.time_step = model::StepRule::paper;
     CHECK_THROWS_AS(observe::Simulation(refused, 1), SceneError);
 }
 

@@ -9,6 +9,7 @@
 #include "engine/model/region.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -159,8 +160,17 @@ struct Probe {
 };
 
 enum class StepRule {
-    bound, ///< Gerschgorin bound on the assembly's highest frequency
+    sharp, ///< the assembly's highest frequency by iteration, never below it
+    bound, ///< the sum of what each element feels while the others stand still, times two
     paper  ///< Tavarez & Plesha 2007, eq. 19
+};
+
+/// Elements moved to rest under the loads, forces and given displacements of one instant.
+struct StaticSolve {
+    double tolerance = 1e-10;          ///< of the loads and reactions, what may be left on free elements
+    std::uint64_t max_iterations = 60; ///< solutions of the linear system
+    bool linear = false;               ///< one solution, of first order in displacements from bonding
+    Place place;
 };
 
 struct Scene {
@@ -168,7 +178,7 @@ struct Scene {
     Plane plane = Plane::stress;
     double thickness = 1.0; ///< m
     Vec2 gravity;           ///< m/s^2
-    StepRule step_rule = StepRule::bound;
+    StepRule time_step = StepRule::sharp;
     double step_fraction = 0.8; ///< of the critical time step
     double greatest_move = 0.2; ///< share of its radius an element may move in a step
     Place place;

@@ -24,7 +24,7 @@ const Names& plane_names() {
     return names;
 }
 const Names& step_rule_names() {
-    static const Names names{"bound", "paper"};
+    static const Names names{"sharp", "bound", "paper"};
     return names;
 }
 const Names& row_names() {
@@ -54,9 +54,9 @@ const WordOf<Scene>& simulation() {
             choice<&Scene::plane, plane_names>("plane", "plane assumption of the elastic stiffness"),
             row<&Scene::thickness>("thickness", "m", optional, positive, "out of the plane"),
             row<&Scene::gravity>("gravity", "m/s^2", optional, any, "acceleration of free fall"),
-            choice<&Scene::step_rule, step_rule_names>(
-                "step_rule",
-                R"(critical time step: "bound" is safe for any assembly, "paper" is eq. 19 of Tavarez & Plesha 2007)"),
+            choice<&Scene::time_step, step_rule_names>(
+                "time_step",
+                R"(how the critical time step is found: "sharp" by iteration on the assembly, "bound" by a quick bound, "paper" by eq. 19 of Tavarez & Plesha 2007, refused where unstable)"),
             row<&Scene::step_fraction>("step_fraction", "", optional, step_share,
                                        "share of the critical time step that is used"),
             row<&Scene::greatest_move>("greatest_move", "", optional, step_share,

@@ -216,8 +216,7 @@ void Simulation::set_velocity(const model::Selection& selection, Vec2 velocity) 
 void Simulation::prepare(const std::vector<double>& intervals) {
     const model::Scene& scene = inside_->scene;
     if (inside_->step_outdated) {
-        inside_->stable = scene.step_rule == model::StepRule::paper ? step::paper_step(*state_, scene.place)
-                                                                    : step::safe_step(*state_);
+        inside_->stable = step::stable_step(*state_, scene.time_step, scene.place);
         inside_->step_outdated = false;
     }
     double longest = scene.step_fraction * inside_->stable.critical;

@@ -92,6 +92,11 @@ Json counts_json(const model::Scene& scene) {
             {"probes", scene.probes.size()}};
 }
 
+const char* name_of(model::StepRule rule) {
+    if (rule == model::StepRule::sharp) return "sharp";
+    return rule == model::StepRule::bound ? "bound" : "paper";
+}
+
 /// Counted by selecting each body's elements, as a probe would.
 std::vector<std::size_t> body_counts(const model::Scene& scene, const observe::Simulation& simulation) {
     std::vector<std::size_t> counts;
@@ -112,7 +117,7 @@ std::string inputs_json(const model::Scene& scene, const observe::Simulation& si
     json["plane"] = scene.plane == model::Plane::stress ? "stress" : "strain";
     json["thickness"] = scene.thickness;
     json["gravity"] = pair_json(scene.gravity);
-    json["step_rule"] = scene.step_rule == model::StepRule::bound ? "bound" : "paper";
+    json["time_step"] = name_of(scene.time_step);
     json["step_fraction"] = scene.step_fraction;
     json["seeds"] = seeds_json(scene);
     json["materials"] = Json::array();

@@ -1,13 +1,15 @@
 #include "engine/step/time_step.hpp"
 
 #include "engine/law/stable_step.hpp"
+#include "engine/step/contact_room.hpp"
+#include "engine/step/lanczos.hpp"
+#include "engine/step/springs.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
-#include <numbers>
 #include <type_traits>
 #include <vector>
 
@@ -15,211 +17,279 @@ namespace demlua::step {
 
 namespace {
 
-using Block = Eigen::Matrix3d;
+constexpr double greatest_paper_ratio = 2.0 / 3.0; // of Kt to Kn, beyond which eq. 19 is unstable in a lattice
 
-/// Stiffness and damping that an element feels when all others stand still, scaled by its masses.
-struct Held {
-    Block stiffness = Block::Zero();
-    Block damping = Block::Zero();
-    int pairs = 0;
+/// D_i of the bonds of one element, stiffness and damping.
+struct Block {
+    Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();
+    Eigen::Matrix3d damping = Eigen::Matrix3d::Zero();
 };
 
-/// Scaled row of an element's displacements to the stretch (shear == false) or the shear of a pair.
-Eigen::Vector3d row(const state::Elements& elements, std::size_t k, Vec2 direction, double arm) {
-    const double m = std::sqrt(elements.inverse_mass[k]);
-    return {direction.x * m, direction.y * m, -arm * std::sqrt(elements.inverse_inertia[k])};
-}
-
-template <class Law>
-void add_bonds(const state::BondSet<Law>& bonds, const state::Elements& elements, std::vector<Held>& held) {
-    const auto add = [&](std::size_t bond, std::size_t k, double arm) {
-        const Vec2 n = Vec2{bonds.Dx[bond], bonds.Dy[bond]} / bonds.length[bond];
-        const Eigen::Vector3d stretch = row(elements, k, n, 0.0);
-        const Eigen::Vector3d shear = row(elements, k, turned_left(n), arm);
-        const Block nn = stretch * stretch.transpose();
-        const Block ss = shear * shear.transpose();
-        held[k].stiffness += bonds.params.Kn * nn + bonds.params.Kt * ss;
-        if (bonds.dashpots.present()) {
-            held[k].damping += bonds.dashpots.Cn[bond] * nn + bonds.dashpots.Ct[bond] * ss;
+std::vector<Block> blocks_of(const Springs& springs) {
+    std::vector<Block> blocks(static_cast<std::size_t>(springs.freedoms() / 3));
+    for (std::size_t spring = 0; spring < springs.size(); ++spring) {
+        const auto ends = springs.ends(spring);
+        const auto sharing = static_cast<double>(ends.size());
+        for (const SpringEnd& end : ends) {
+            const Eigen::Vector3d b{end.x, end.y, end.turn};
+            const Eigen::Matrix3d square = sharing * b * b.transpose();
+            Block& block = blocks[static_cast<std::size_t>(springs.row(end.element) / 3)];
+            block.stiffness += springs.stiffness(spring) * square;
+            block.damping += springs.damping(spring) * square;
         }
-        ++held[k].pairs;
-    };
-    for (std::size_t bond = 0; bond < bonds.size(); ++bond) {
-        if (bonds.is_broken(bond)) continue;
-        const double arm = bonds.length[bond] * bonds.share_i[bond];
-        add(bond, bonds.i[bond], arm);
-        add(bond, bonds.j[bond], -(bonds.length[bond] - arm));
     }
+    return blocks;
 }
 
-/// Rows of an element's displacements to stretch, shear and turn of a bond. `toward` is +1 for j, -1 for i.
-Eigen::Matrix3d rows(const state::Elements& elements, std::size_t k, Vec2 n, double arm, double toward) {
-    Eigen::Matrix3d B;
-    B.row(0) = toward * row(elements, k, n, 0.0);
-    B.row(1) = toward * row(elements, k, turned_left(n), toward * arm);
-    B.row(2) = Eigen::Vector3d{0.0, 0.0, toward * std::sqrt(elements.inverse_inertia[k])};
-    return B;
+double largest_eigenvalue(const Eigen::Matrix3d& block) {
+    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(block, Eigen::EigenvaluesOnly).eigenvalues()[2];
 }
 
-Eigen::Vector3d as_vector(const law::FacetVector<double>& v) { return {v.normal, v.shear, v.turn}; }
-
-Eigen::Matrix3d as_matrix(const law::FacetSprings<double>& K) {
-    Eigen::Matrix3d matrix;
-    matrix << K.nn, K.nt, K.nw, K.nt, K.tt, K.tw, K.nw, K.tw, K.ww;
-    return matrix;
-}
-
-/// A cell's energy is bounded by that of as many cells as it touches elements, each moved by one element alone.
-template <class Law>
-void add_bonds(const state::FacetSet<Law>& bonds, const state::Elements& elements, std::vector<Held>& held) {
-    const std::size_t first = bonds.incidence.first;
-    std::vector<Eigen::Vector3d> own(bonds.pressure.size(), Eigen::Vector3d::Zero());
-    const auto sides = [&](std::size_t e) { return static_cast<double>(bonds.incidence.start[e + 1] - bonds.incidence.start[e]); };
-    const auto press = [&](std::size_t e, std::size_t k, const Eigen::Vector3d& g) {
-        held[k].stiffness += 0.5 * (sides(e) + 1.0) * bonds.pressure_per_growth[e] * g * g.transpose();
-    };
-    for (std::size_t bond = 0; bond < bonds.size(); ++bond) {
-        if (bonds.is_broken(bond)) continue;
-        const std::size_t i = bonds.i[bond];
-        const std::size_t j = bonds.j[bond];
-        const Vec2 n = Vec2{bonds.Dx[bond], bonds.Dy[bond]} / bonds.length[bond];
-        const double arm = bonds.length[bond] * bonds.share_i[bond];
-        const Eigen::Matrix3d Bi = rows(elements, i, n, arm, -1.0);
-        const Eigen::Matrix3d Bj = rows(elements, j, n, bonds.length[bond] - arm, 1.0);
-        const Eigen::Matrix3d K = as_matrix(bonds.springs[bond]);
-        held[i].stiffness += Bi.transpose() * K * Bi;
-        held[j].stiffness += Bj.transpose() * K * Bj;
-        press(i - first, j, Bj.transpose() * as_vector(bonds.growth_i[bond]));
-        press(j - first, i, Bi.transpose() * as_vector(bonds.growth_j[bond]));
-        own[i - first] += Bi.transpose() * as_vector(bonds.growth_i[bond]);
-        own[j - first] += Bj.transpose() * as_vector(bonds.growth_j[bond]);
-        ++held[i].pairs;
-        ++held[j].pairs;
-    }
-    for (std::size_t e = 0; e < own.size(); ++e) press(e, first + e, own[e]);
-}
-
-double largest_eigenvalue(const Block& block) {
-    return Eigen::SelfAdjointEigenSolver<Block>(block, Eigen::EigenvaluesOnly).eigenvalues()[2];
-}
-
-/// The most `count` contacts at least 60 degrees apart add up to along one direction, in units of one stiffness.
-double along_one_direction(double count) { return count <= 2.0 ? count : 1.5 + 0.25 * count; }
-
-/// How many of the smallest disks fit around one of radius `R`.
-double room_around(double R, double smallest) { return std::numbers::pi / std::asin(smallest / (R + smallest)); }
-
-/// The stiffest contact and the hardest dashpots an element can meet.
-struct HardestContact {
-    double Kn = 0.0, Kt = 0.0, Cn = 0.0, Ct = 0.0;
-};
-
-HardestContact hardest_contact(const state::State& state, std::size_t element, bool with_own_body) {
-    const std::size_t own = state.elements.body[element];
-    const std::size_t material = state.bodies[own].material;
-    HardestContact hardest;
-    const auto meet = [&](const law::Coulomb::Params& params, double fraction, double mass) {
-        hardest.Kn = std::max(hardest.Kn, params.Kn);
-        hardest.Kt = std::max(hardest.Kt, params.Kt);
-        hardest.Cn = std::max(hardest.Cn, 2.0 * fraction * std::sqrt(params.Kn * mass));
-        hardest.Ct = std::max(hardest.Ct, 2.0 * fraction * std::sqrt(params.Kt * mass));
-    };
-    const double m = state.elements.mass(element);
-    for (std::size_t b = 0; b < state.bodies.size(); ++b) {
-        if (b == own && !with_own_body) continue;
-        const state::PairRule& rule =
-            state.contacts.rules[material * state.contacts.materials + state.bodies[b].material];
-        meet(rule.params, rule.damping_fraction, b == own ? 0.5 * m : m);
-    }
-    const state::MaterialFacts& facts = state.materials[material];
-    if (!state.walls.empty()) meet({facts.stiffness.normal, facts.stiffness.shear, 0.0}, facts.damping_fraction, m);
-    return hardest;
-}
-
-/// Adds `count` contacts to what an element feels, whichever way they lie.
-void add_contacts(const state::Elements& elements, std::size_t k, double count, const HardestContact& contact,
-                  Held& held) {
-    const double along = along_one_direction(count);
-    const double m = elements.inverse_mass[k];
-    const double turn = count * elements.radius[k] * elements.radius[k] * elements.inverse_inertia[k];
-    const Eigen::Vector3d normal{along * m, along * m, 0.0};
-    const Eigen::Vector3d shear{along * m, along * m, turn};
-    held.stiffness.diagonal() += contact.Kn * normal + contact.Kt * shear;
-    held.damping.diagonal() += contact.Cn * normal + contact.Ct * shear;
-}
-
-double step_of(const Held& held) {
-    return law::stable_step(2.0 * largest_eigenvalue(held.stiffness), 2.0 * largest_eigenvalue(held.damping));
+double step_of(Block block, const Felt& contacts) {
+    block.stiffness.diagonal() += contacts.stiffness;
+    block.damping.diagonal() += contacts.damping;
+    return law::stable_step(largest_eigenvalue(block.stiffness), largest_eigenvalue(block.damping));
 }
 
 struct Tightest {
     double step = std::numeric_limits<double>::infinity();
-    std::size_t element = 0;
+    std::size_t at = 0; ///< element, or body
     std::string why;
 
-    void offer(double candidate, std::size_t k, const char* reason) {
+    void offer(double candidate, std::size_t where, const std::string& reason) {
         if (candidate >= step) return;
         step = candidate;
-        element = k;
+        at = where;
         why = reason;
     }
 };
 
-std::vector<bool> bodies_that_break(const state::State& state) {
-    std::vector<bool> breaks(state.bodies.size(), true);
+/// What a step must allow for in one body.
+struct Facts {
+    bool loosens = true;                 ///< its elements can come loose, or are
+    double smallest_radius = 0.0;        ///< of the scene, m
+    bool has_company = false;            ///< other bodies or walls
+    std::vector<std::size_t> neighbours; ///< bonds that hold each element of the scene
+};
+
+Facts facts_of(const state::State& state) {
+    Facts facts;
+    const Column<double>& radius = state.elements.radius;
+    facts.smallest_radius = *std::min_element(radius.begin(), radius.end());
+    facts.has_company = state.bodies.size() > 1 || !state.walls.empty();
+    facts.neighbours.resize(state.elements.size());
     for (const state::AnyBondSet& any : state.bond_sets) {
-        std::visit([&](const auto& bonds) { breaks[bonds.body] = std::decay_t<decltype(bonds)>::law::breaks; }, any);
+        std::visit(
+            [&](const auto& bonds) {
+                for (std::size_t k = 0; k < bonds.size(); ++k) {
+                    if (bonds.is_broken(k)) continue;
+                    ++facts.neighbours[bonds.i[k]];
+                    ++facts.neighbours[bonds.j[k]];
+                }
+            },
+            any);
     }
-    return breaks;
+    return facts;
+}
+
+/// Whether elements of the body can touch each other: it is not bonded, or by bonds that break.
+bool can_loosen(const state::State& state, std::size_t body) {
+    bool bonded = false;
+    bool breaks = false;
+    for (const state::AnyBondSet& any : state.bond_sets) {
+        std::visit(
+            [&](const auto& bonds) {
+                if (bonds.body != body) return;
+                bonded = true;
+                breaks = breaks || std::decay_t<decltype(bonds)>::law::breaks;
+            },
+            any);
+    }
+    return breaks || !bonded;
+}
+
+/// Contacts of element k with others beside the bonds it has.
+Felt beside_bonds(const state::State& state, const Facts& facts, std::size_t k) {
+    if (!facts.has_company) return {};
+    const double room = room_around(state.elements.radius[k], facts.smallest_radius);
+    const double free = std::max(room - static_cast<double>(facts.neighbours[k]), 0.0);
+    return hardest_contacts(state, k, free, facts.loosens);
+}
+
+Springs mass_scaled(const state::State& state, std::size_t body) {
+    Springs springs = springs_of_body(state, body);
+    springs.scale(inverse_root_masses(state.elements, state.bodies[body].first, state.bodies[body].last));
+    return springs;
+}
+
+Tightest bound_of(const state::State& state, const Facts& facts, std::size_t body, const Springs& springs) {
+    Tightest tightest;
+    const std::vector<Block> blocks = blocks_of(springs);
+    const std::size_t first = state.bodies[body].first;
+    for (std::size_t k = first; k < state.bodies[body].last; ++k) {
+        tightest.offer(step_of(blocks[k - first], beside_bonds(state, facts, k)), k,
+                       facts.has_company ? "its bonds and contacts" : "its bonds");
+        if (!facts.loosens || state.bodies[body].size() == 1) continue;
+        const double room = room_around(state.elements.radius[k], facts.smallest_radius);
+        tightest.offer(step_of({}, hardest_contacts(state, k, room, true)), k,
+                       "contacts all round once its bonds are gone");
+    }
+    return tightest;
+}
+
+/// The largest dt with lambda_max(dt^2 K + 2 dt C) <= 4, never above it. Found by taking, of the mode that is largest at one
+/// dt, the dt at which it would reach 4; each estimate on the way gives a safe step by lambda(s dt) <= s lambda(dt) for
+/// s <= 1, and <= s^2 lambda(dt) for s >= 1.
+double largest_step(const Springs& springs, const Eigen::VectorXd& stiffness, const Eigen::VectorXd& damping,
+                    double dt) {
+    constexpr int most_rounds = 5;
+    constexpr double near_enough = 1e-3;
+    const bool damped = springs.damped() || (damping.size() > 0 && damping.maxCoeff() > 0.0);
+    double safe = 0.0;
+    for (int round = 0; round < most_rounds; ++round) {
+        const LargestPair mode = largest_pair(springs.freedoms(), [&](const Eigen::VectorXd& u) -> Eigen::VectorXd {
+            return springs.times(dt * dt, 2.0 * dt, u) + (dt * dt * stiffness + 2.0 * dt * damping).cwiseProduct(u);
+        });
+        const double excess = mode.estimate() / 4.0;
+        if (!damped || excess <= 1.0) {
+            safe = std::max(safe, dt / std::sqrt(excess));
+        } else {
+            safe = std::max(safe, dt / excess);
+        }
+        if (!damped) break;
+        const Eigen::VectorXd& x = mode.vector;
+        const double k = x.dot(springs.times(1.0, 0.0, x)) + x.dot(stiffness.cwiseProduct(x));
+        const double c = x.dot(springs.times(0.0, 1.0, x)) + x.dot(damping.cwiseProduct(x));
+        const double next = law::stable_step(k, c);
+        if (std::fabs(next / dt - 1.0) < near_enough) break;
+        dt = next;
+    }
+    return safe;
+}
+
+double sharp_of(const state::State& state, const Facts& facts, std::size_t body, const Springs& springs, double bound) {
+    Eigen::VectorXd stiffness = Eigen::VectorXd::Zero(springs.freedoms());
+    Eigen::VectorXd damping = stiffness;
+    const std::size_t first = state.bodies[body].first;
+    for (std::size_t k = first; k < state.bodies[body].last; ++k) {
+        const Felt contacts = beside_bonds(state, facts, k);
+        stiffness.segment<3>(springs.row(k)) = contacts.stiffness;
+        damping.segment<3>(springs.row(k)) = contacts.damping;
+    }
+    return largest_step(springs, stiffness, damping, bound);
+}
+
+/// Calls `work(body, springs)` for every body whose elements move on their own.
+template <class Work>
+void for_each_free_body(const state::State& state, const Work& work) {
+    for (std::size_t body = 0; body < state.bodies.size(); ++body) {
+        if (!state.bodies[body].rigid) work(body, mass_scaled(state, body));
+    }
+}
+
+struct Found {
+    double step = std::numeric_limits<double>::infinity();
+    std::string reason = "nothing stiff: no bound";
+};
+
+Found bound_found(const state::State& state) {
+    Facts facts = facts_of(state);
+    Tightest tightest;
+    for_each_free_body(state, [&](std::size_t body, const Springs& springs) {
+        facts.loosens = can_loosen(state, body);
+        const Tightest here = bound_of(state, facts, body, springs);
+        tightest.offer(here.step, here.at, here.why);
+    });
+    if (!std::isfinite(tightest.step)) return {};
+    return {tightest.step, fmt::format("pair-energy bound, tightest at element {} of {} with {}", tightest.at,
+                                       state.bodies[state.elements.body[tightest.at]].name, tightest.why)};
+}
+
+Found sharp_found(const state::State& state) {
+    Facts facts = facts_of(state);
+    Tightest tightest;
+    for_each_free_body(state, [&](std::size_t body, const Springs& springs) {
+        facts.loosens = can_loosen(state, body);
+        const Tightest bound = bound_of(state, facts, body, springs);
+        const std::string& name = state.bodies[body].name;
+        const std::string at =
+            fmt::format("pair-energy bound, tightest at element {} of {} with {}", bound.at, name, bound.why);
+        if (facts.loosens || springs.size() == 0) {
+            tightest.offer(bound.step, body, at);
+            return;
+        }
+        const double sharp = sharp_of(state, facts, body, springs, bound.step);
+        tightest.offer(std::max(bound.step, sharp), body,
+                       sharp > bound.step ? fmt::format("highest frequency of {} by Lanczos iteration", name) : at);
+    });
+    if (!std::isfinite(tightest.step)) return {};
+    return {tightest.step, tightest.why};
+}
+
+struct PaperStep {
+    double step = std::numeric_limits<double>::infinity();
+    std::size_t element = 0;
+    double ratio = 0.0; ///< the largest Kt/Kn
+};
+
+PaperStep paper_found(const state::State& state) {
+    PaperStep found;
+    for (std::size_t k = 0; k < state.elements.size(); ++k) {
+        const law::ContactStiffness& stiffness =
+            state.materials[state.bodies[state.elements.body[k]].material].stiffness;
+        found.ratio = std::max(found.ratio, stiffness.shear / stiffness.normal);
+        const double step = law::paper_step(state.elements.mass(k), stiffness.normal, 0.0);
+        if (step >= found.step) continue;
+        found.step = step;
+        found.element = k;
+    }
+    return found;
+}
+
+StableStep by_paper(const state::State& state, const Place& place) {
+    const PaperStep paper = paper_found(state);
+    const auto refuse = [&](const std::string& why) {
+        throw SceneError(Problem{place, "simulation.time_step", "\"paper\"", why, "use \"sharp\" or \"bound\""});
+    };
+    if (paper.ratio > greatest_paper_ratio) {
+        refuse(fmt::format("eq. 19 is unstable for Kt/Kn above 2/3, here {:.3f}", paper.ratio));
+    }
+    const double limit = sharp_step_of_bonds(state);
+    if (paper.step > limit) {
+        refuse(fmt::format("eq. 19 is unstable here: it gives {:.4g} s where the bonds allow {:.4g} s", paper.step,
+                           limit));
+    }
+    return {paper.step,
+            fmt::format("eq. 19 of the paper, which is no bound, at element {} of {}; the bonds would allow "
+                        "{:.4g} ns",
+                        paper.element, state.bodies[state.elements.body[paper.element]].name, 1e9 * limit)};
 }
 
 } // namespace
 
-StableStep safe_step(const state::State& state) {
-    const state::Elements& elements = state.elements;
-    std::vector<Held> held(elements.size());
-    for (const state::AnyBondSet& any : state.bond_sets) {
-        std::visit([&](const auto& bonds) { add_bonds(bonds, elements, held); }, any);
-    }
-    const std::vector<bool> breaks = bodies_that_break(state);
-    const double smallest = *std::min_element(elements.radius.begin(), elements.radius.end());
-    const bool has_company = state.bodies.size() > 1 || !state.walls.empty();
-    Tightest tightest;
-    for (std::size_t k = 0; k < elements.size(); ++k) {
-        const std::size_t body = elements.body[k];
-        if (state.bodies[body].rigid) continue;
-        const double room = room_around(elements.radius[k], smallest);
-        const double free_room = std::max(room - held[k].pairs, 0.0);
-        const HardestContact contact = hardest_contact(state, k, breaks[body]);
-        Held now = held[k];
-        if (has_company) add_contacts(elements, k, free_room, contact, now);
-        tightest.offer(step_of(now), k, has_company && free_room > 0.0 ? "its bonds and contacts" : "its bonds");
-        if (breaks[body] && state.bodies[body].size() > 1) {
-            Held loose;
-            add_contacts(elements, k, room, contact, loose);
-            tightest.offer(step_of(loose), k, "contacts all round once its bonds are gone");
-        }
-    }
-    if (!std::isfinite(tightest.step)) return {tightest.step, "nothing stiff: no bound"};
-    return {tightest.step, fmt::format("pair-energy bound, tightest at element {} of {} with {}", tightest.element,
-                                       state.bodies[elements.body[tightest.element]].name, tightest.why)};
+double bound_step(const state::State& state) { return bound_found(state).step; }
+double sharp_step(const state::State& state) { return sharp_found(state).step; }
+double paper_step(const state::State& state) { return paper_found(state).step; }
+
+double sharp_step_of_bonds(const state::State& state) {
+    double shortest = std::numeric_limits<double>::infinity();
+    for_each_free_body(state, [&](std::size_t /*body*/, const Springs& springs) {
+        if (springs.size() == 0) return;
+        const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(springs.freedoms());
+        double start = std::numeric_limits<double>::infinity();
+        for (const Block& block : blocks_of(springs)) start = std::min(start, step_of(block, {}));
+        shortest = std::min(shortest, std::max(start, largest_step(springs, nothing, nothing, start)));
+    });
+    return shortest;
 }
 
-StableStep paper_step(const state::State& state, const Place& place) {
-    Tightest tightest;
-    for (std::size_t k = 0; k < state.elements.size(); ++k) {
-        const law::ContactStiffness& stiffness =
-            state.materials[state.bodies[state.elements.body[k]].material].stiffness;
-        if (stiffness.shear > 2.0 / 3.0 * stiffness.normal) {
-            throw SceneError(Problem{
-                place, "simulation.time_step", "\"paper\"",
-                fmt::format("eq. 19 is unstable for Kt/Kn above 2/3, here {:.3f}", stiffness.shear / stiffness.normal),
-                "use \"bound\""});
-        }
-        tightest.offer(law::paper_step(state.elements.mass(k), stiffness.normal, 0.0), k, "");
-    }
-    return {tightest.step, fmt::format("eq. 19 of the paper, which is no bound, at element {} of {}", tightest.element,
-                                       state.bodies[state.elements.body[tightest.element]].name)};
+StableStep stable_step(const state::State& state, model::StepRule rule, const Place& place) {
+    if (rule == model::StepRule::paper) return by_paper(state, place);
+    const Found found = rule == model::StepRule::bound ? bound_found(state) : sharp_found(state);
+    if (!std::isfinite(found.step)) return {found.step, found.reason};
+    const PaperStep paper = paper_found(state);
+    return {found.step, fmt::format("{}; the paper's eq. 19 would give {:.4g} ns{}", found.reason, 1e9 * paper.step,
+                                    paper.ratio > greatest_paper_ratio ? ", unstable for Kt/Kn above 2/3" : "")};
 }
 
 } // namespace demlua::step

@@ -1,4 +1,4 @@
 local dem = require "dem"
-dem.simulation { plane = "stres", step_rule = "exact" }
+dem.simulation { plane = "stres", time_step = "exact" }
 -->:2: simulation.plane = "stres": must be "stress" or "strain"; did you mean "stress"?
--->:2: simulation.step_rule = "exact": must be "bound" or "paper"
+-->:2: simulation.time_step = "exact": must be "sharp", "bound" or "paper"
