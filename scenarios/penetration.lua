@@ -32,6 +32,7 @@ local p = dem.param {
   friction           = { 0.5 },
   contact_damping    = { 0.2, help = "fraction of critical" },
   bond_damping       = { 0.02, help = "fraction of critical" },
+  stiffness          = { "contacts", help = "of the beam: \"contacts\" as the paper bonds it, too soft; \"facets\" exact" },
   search             = { 0.1, help = "share of the radius across which elements are bonded" },
 
   step_fraction      = { 0.9, help = "share of the critical time step" },
@@ -58,7 +59,7 @@ local beam = sim:body {
   name = "beam", material = concrete,
   region  = dem.rectangle { size = { length, depth } },
   packing = dem.consolidated { cluster = p.cluster, count = p.elements, seed = p.seed },
-  bonds   = dem.plateau { search = p.search, damping = p.bond_damping, break_in_shear = p.break_in_shear },
+  bonds   = dem.plateau { stiffness = p.stiffness, search = p.search, damping = p.bond_damping, break_in_shear = p.break_in_shear },
 }
 
 -- The projectile: a wedge of rows of 1 to 12 elements, then 21 rows of 13, all of the beam's radius: 351. Its outline is

@@ -16,7 +16,7 @@ using Catch::Approx;
 namespace {
 
 /// A free concrete beam of consolidated clusters and a steel block that falls on it at 60 m/s.
-model::Scene shot_beam(bool rigid, bool break_in_shear) {
+model::Scene shot_beam(bool rigid, bool break_in_shear, model::Network network) {
     model::Material material = test::concrete();
     material.poissons_ratio = 0.2;
     material.contact_damping = 0.2;
@@ -30,7 +30,7 @@ model::Scene shot_beam(bool rigid, bool break_in_shear) {
     model::Consolidation pack;
     pack.count = 1500;
     beam.packing = pack;
-    beam.bonds = model::PlateauBonds{0.1, 0.02, break_in_shear};
+    beam.bonds = model::PlateauBonds{0.1, 0.02, break_in_shear, network};
     scene.bodies.push_back(beam);
 
     const double R = packing::consolidated_radius(beam.region, pack);
@@ -71,7 +71,8 @@ std::set<std::pair<Index, Index>> overlapping_pairs(const state::State& state) {
 TEST_CASE("a beam in pieces keeps its momentum to round-off and its energy in the ledger") {
     const bool rigid = GENERATE(false, true);
     const bool break_in_shear = GENERATE(false, true);
-    observe::Simulation sim(shot_beam(rigid, break_in_shear), 1);
+    const model::Network network = GENERATE(model::Network::contacts, model::Network::facets);
+    observe::Simulation sim(shot_beam(rigid, break_in_shear, network), 1);
     observe::Momentum first;
     double energy = 0.0;
     sim.run(1.5e-3, {test::watching(1.5e-4, [&](observe::Simulation& now) {
@@ -95,9 +96,10 @@ TEST_CASE("a beam in pieces keeps its momentum to round-off and its energy in th
 
 TEST_CASE("the final state is the same to the last bit for any number of threads") {
     const bool rigid = GENERATE(false, true);
+    const model::Network network = GENERATE(model::Network::contacts, model::Network::facets);
     std::uint64_t reference = 0;
     for (const int threads : {1, 2, 3}) {
-        observe::Simulation sim(shot_beam(rigid, true), threads);
+        observe::Simulation sim(shot_beam(rigid, true, network), threads);
         sim.run(4e-4, {});
         CHECK(sim.broken_bonds() > 50);
         if (threads == 1) reference = sim.hash();
@@ -106,9 +108,9 @@ TEST_CASE("the final state is the same to the last bit for any number of threads
 }
 
 TEST_CASE("what watches a run does not change it") {
-    observe::Simulation quiet(shot_beam(false, true), 1);
+    observe::Simulation quiet(shot_beam(false, true, model::Network::facets), 1);
     quiet.run(1e-4, {});
-    observe::Simulation watched(shot_beam(false, true), 1);
+    observe::Simulation watched(shot_beam(false, true, model::Network::facets), 1);
     watched.run(1e-4, {test::watching(0.0, [](observe::Simulation& now) {
                     if (now.step() % 7 == 0) (void)now.snapshot();
                 })});
@@ -116,7 +118,7 @@ TEST_CASE("what watches a run does not change it") {
 }
 
 TEST_CASE("no overlapping pair is ever missing from the contact list") {
-    observe::Simulation sim(shot_beam(false, true), 1);
+    observe::Simulation sim(shot_beam(false, true, model::Network::facets), 1);
     std::size_t seen = 0;
     sim.run(1.2e-3, {test::watching(0.0, [&](observe::Simulation& now) {
                 if (now.step() % 97 != 0) return;

@@ -1,6 +1,7 @@
 #include "engine/bonding/facets.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace demlua::bonding {
@@ -31,8 +32,11 @@ Line line_of(const packing::Facet& facet, const std::vector<Vec2>& centre, const
 
 law::FacetPart part_between(double low, double high) { return {high - low, 0.5 * (low + high)}; }
 
-/// Where a facet that ends on walls leaves the inside of the body, the cells are closed along the bond's line, and only
-/// what lies beyond the line belongs to the wall.
+/// The part of a facet that counts for its cells: where it ends on a wall, up to the bond's line.
+law::FacetPart closed_part(const packing::Facet& facet, const Line& line) {
+    return part_between(facet.outward_from != Vec2{} ? 0.0 : line.low, facet.outward_to != Vec2{} ? 0.0 : line.high);
+}
+
 FacetBond bond_of(const packing::Facet& facet, const Line& line, const law::FacetModuli& moduli, double thickness) {
     const bool wall_below = facet.outward_from != Vec2{};
     const bool wall_above = facet.outward_to != Vec2{};
@@ -44,21 +48,53 @@ FacetBond bond_of(const packing::Facet& facet, const Line& line, const law::Face
     bond.share_i = line.share_i;
     bond.whole = part_between(line.low, line.high);
     bond.springs = law::facet_springs(moduli, part_between(low, high), line.length, thickness);
-    const law::FacetPart closed = part_between(wall_below ? 0.0 : line.low, wall_above ? 0.0 : line.high);
+    const law::FacetPart closed = closed_part(facet, line);
     bond.growth_i = law::cell_growth(closed, line.length, line.share_i, false);
     bond.growth_j = law::cell_growth(closed, line.length, line.share_i, true);
 
     const Vec2 t = turned_left(line.normal);
-    const auto close = [&](double side, Vec2 outward, law::FacetPart outer) {
+    const auto add_bar = [&](Vec2 outward, law::FacetPart outer) {
         const Vec2 tangent = turned_left(outward);
         law::add_wall_bar(bond.springs, moduli, outer, dot(tangent, line.normal), dot(tangent, t), line.length,
                           thickness);
-        bond.growth_i = bond.growth_i + law::closing_growth(side, line.length, line.share_i, false);
-        bond.growth_j = bond.growth_j + law::closing_growth(side, line.length, line.share_i, true);
     };
-    if (wall_below) close(-1.0, facet.outward_from, part_between(line.low, low));
-    if (wall_above) close(+1.0, facet.outward_to, part_between(high, line.high));
+    if (wall_below) add_bar(facet.outward_from, part_between(line.low, low));
+    if (wall_above) add_bar(facet.outward_to, part_between(high, line.high));
     return bond;
+}
+
+/// The sum over a cell's facets of A n (x - x_i)', x the facet's middle: V times unity when they close the cell.
+struct CellShape {
+    double xx = 0.0, xy = 0.0, yx = 0.0, yy = 0.0; ///< m^2
+    Vec2 outward;                                  ///< sum of the wall's normals where facets end on it
+    int walls = 0;
+
+    void add(double area, Vec2 normal, Vec2 to_middle) {
+        xx += area * normal.x * to_middle.x;
+        xy += area * normal.x * to_middle.y;
+        yx += area * normal.y * to_middle.x;
+        yy += area * normal.y * to_middle.y;
+    }
+    void meet_wall(Vec2 normal) {
+        if (normal == Vec2{}) return;
+        outward += normal;
+        ++walls;
+    }
+    [[nodiscard]] double along(Vec2 direction) const {
+        const Vec2 d = direction;
+        return d.x * (xx * d.x + xy * d.y) + d.y * (yx * d.x + yy * d.y);
+    }
+};
+
+/// V of the head of law/facet.hpp.
+double volume_of(const CellShape& shape, double ratio) {
+    constexpr double one_wall = 0.9; // of the length that the normals of one straight wall add up to
+    const double inside = 0.5 * (shape.xx + shape.yy);
+    const double straight = norm(shape.outward);
+    if (shape.walls == 0 || straight < one_wall * shape.walls) return inside;
+    const Vec2 normal = shape.outward / straight;
+    const double stretched = (shape.along(turned_left(normal)) - ratio * shape.along(normal)) / (1.0 - ratio);
+    return std::clamp(stretched, 0.25 * inside, 4.0 * inside);
 }
 
 } // namespace
@@ -68,17 +104,23 @@ FacetNetwork facet_network(const packing::Cells& cells, const std::vector<Vec2>&
     FacetNetwork network;
     network.volume.assign(centre.size(), 0.0);
     network.bonds.reserve(cells.facets.size());
+    std::vector<CellShape> shapes(centre.size());
     for (const packing::Facet& facet : cells.facets) {
         const Line line = line_of(facet, centre, radius);
-        const FacetBond bond = bond_of(facet, line, moduli, thickness);
-        // A uniform swelling grows a cell by twice its area.
-        network.volume[facet.i] += 0.5 * bond.growth_i.normal * line.length;
-        network.volume[facet.j] += 0.5 * bond.growth_j.normal * line.length;
-        network.bonds.push_back(bond);
+        const FacetBond& bond = network.bonds.emplace_back(bond_of(facet, line, moduli, thickness));
+        const law::FacetPart closed = closed_part(facet, line);
+        const Vec2 aside = closed.centre * turned_left(line.normal);
+        shapes[facet.i].add(closed.area, line.normal, bond.share_i * line.length * line.normal + aside);
+        shapes[facet.j].add(closed.area, -line.normal, -(1.0 - bond.share_i) * line.length * line.normal + aside);
+        for (CellShape* shape : {&shapes[facet.i], &shapes[facet.j]}) {
+            shape->meet_wall(facet.outward_from);
+            shape->meet_wall(facet.outward_to);
+        }
     }
     constexpr double least_share = 1e-3;
     for (std::size_t k = 0; k < centre.size(); ++k) {
-        if (network.volume[k] < least_share * cells.area[k]) network.volume[k] = 0.0;
+        const double volume = volume_of(shapes[k], moduli.ratio);
+        network.volume[k] = volume > least_share * cells.area[k] ? volume : 0.0;
     }
     return network;
 }

@@ -17,9 +17,12 @@
 //
 //   U += (E* b A_out/l) (T_n (e - c_out w) + T_t ut)^2/2 + (E* b A_out^3/(12 l)) (T_n w)^2/2
 //
-// and the cells are closed along the bond's line, h = +1 where the wall lies towards t, -1 where it lies away from it:
+// D is counted over the parts on this side of the bond's line alone, and V is what makes p right under a pull along the wall:
+// with M = sum A n (x - x_i)' over these parts, x their middles, and N the wall's normal,
 //
-//   D_i += h (s_i l)^2/2 (ut/l + s_j w),   D_j -= h (s_j l)^2/2 (ut/l - s_i w).
+//   V = (T'MT - nu* N'MN)/(1 - nu*);      V = tr(M)/2, the cell's area, for a cell without wall or in a corner.
+//
+// A uniform stress along a straight free wall is then in equilibrium however the elements stand beside it.
 //
 // Source: derived from the divergence theorem for cells, as their growth under a uniform strain is V tr(strain).
 // Limits: small strains within a cell; springs of one sign only, so U is never negative whatever is broken.
@@ -85,12 +88,13 @@ struct FacetModuli {
     double twice_shear = 0.0; ///< 2G
     double lame = 0.0;        ///< lam
     double youngs = 0.0;      ///< E*, of the bars along free walls
+    double ratio = 0.0;       ///< nu*, a pure number
 };
 
 /// nu* below 1: any material in plane stress, nu below 1/2 in plane strain.
 constexpr FacetModuli facet_moduli(PlaneModuli plane) {
     const double nu = plane.poissons_ratio;
-    return {plane.youngs_modulus / (1.0 + nu), plane.youngs_modulus * nu / (1.0 - nu * nu), plane.youngs_modulus};
+    return {plane.youngs_modulus / (1.0 + nu), plane.youngs_modulus * nu / (1.0 - nu * nu), plane.youngs_modulus, nu};
 }
 
 /// Springs of the part of a facet that lies inside the body. `length` of the bond and `thickness` in m.
@@ -117,14 +121,6 @@ inline FacetVector<double> cell_growth(FacetPart part, double length, double sha
     const double share_j = 1.0 - share_i;
     if (of_j) return {part.area * share_j, -part.area * part.centre / length, part.area * part.centre * share_i};
     return {part.area * share_i, part.area * part.centre / length, part.area * part.centre * share_j};
-}
-
-/// Growth through the line that closes a cell beside a free wall; `side` is h.
-inline FacetVector<double> closing_growth(double side, double length, double share_i, bool of_j) {
-    const double share = of_j ? 1.0 - share_i : share_i;
-    const double strip = 0.5 * side * share * share * length * length;
-    if (of_j) return {0.0, -strip / length, strip * share_i};
-    return {0.0, strip / length, strip * (1.0 - share_i)};
 }
 
 } // namespace demlua::law

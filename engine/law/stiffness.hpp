@@ -26,6 +26,13 @@ constexpr PlaneModuli plane_moduli(double E, double nu, bool plane_strain) {
     return plane_strain ? PlaneModuli{E / (1.0 - nu * nu), nu / (1.0 - nu)} : PlaneModuli{E, nu};
 }
 
+/// The reverse of eq. 13, 14: the material that has these plane moduli.
+constexpr PlaneModuli solid_moduli(PlaneModuli plane, bool plane_strain) {
+    if (!plane_strain) return plane;
+    const double nu = plane.poissons_ratio / (1.0 + plane.poissons_ratio);
+    return {plane.youngs_modulus * (1.0 - nu * nu), nu};
+}
+
 /// N/m.
 struct ContactStiffness {
     double normal;

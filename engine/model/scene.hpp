@@ -47,16 +47,16 @@ enum class Network {
 };
 /// Bonds that never break.
 struct ElasticBonds {
-    Network network = Network::automatic;
     double search = 0.1;  ///< elements touch when the gap between them is below this share of the mean radius
     double damping = 0.0; ///< dashpots beside the springs, as a fraction of critical of one bond
+    Network network = Network::automatic;
 };
 /// Tavarez & Plesha 2007, eqs 32-36.
 struct PlateauBonds {
-    Network network = Network::automatic;
     double search = 0.1;
     double damping = 0.0;
     bool break_in_shear = false; ///< also break when the plastic slip has spent the fracture energy (fig. 14b)
+    Network network = Network::automatic;
 };
 using BondChoice = std::variant<NoBonds, ElasticBonds, PlateauBonds>;
 

@@ -8,6 +8,7 @@
 #include "engine/state/bond_assembly.hpp"
 #include "engine/state/loading.hpp"
 #include "engine/state/selection.hpp"
+#include "engine/step/real_moduli.hpp"
 #include "engine/step/step.hpp"
 #include "engine/step/time_step.hpp"
 
@@ -66,6 +67,25 @@ int thread_count(int asked, std::size_t elements) {
     return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, useful);
 }
 
+/// What a reader must know of bodies whose bonds do not make them what the scene says, one sentence each.
+std::vector<std::string> warnings(const model::Scene& scene, const state::State& state) {
+    std::vector<std::string> sentences;
+    for (std::size_t row = 0; row < scene.bodies.size(); ++row) {
+        const std::optional<model::Network> network = model::network_of(scene.bodies[row]);
+        if (network != model::Network::contacts && network != model::Network::delaunay) continue;
+        const std::optional<law::PlaneModuli> plane = step::real_moduli(state, row);
+        if (!plane) continue;
+        const law::PlaneModuli real = law::solid_moduli(*plane, scene.plane == model::Plane::strain);
+        const model::Material& said = scene.materials[scene.bodies[row].material];
+        sentences.push_back(fmt::format(
+            "warning: {} behaves as E = {:.3g} Pa and nu = {:.2f}, not {:.3g} Pa and {:.2f}: eqs 15 and 16 are exact for "
+            "close packing only; stiffness = \"facets\" is exact on any pack",
+            scene.bodies[row].name, real.youngs_modulus, real.poissons_ratio, said.youngs_modulus,
+            said.poissons_ratio));
+    }
+    return sentences;
+}
+
 } // namespace
 
 struct Simulation::Inside {
@@ -90,6 +110,7 @@ struct Simulation::Inside {
 Simulation::Simulation(const model::Scene& scene, int threads) {
     state::Assembly assembly = state::assemble(scene);
     state_ = std::make_unique<state::State>(std::move(assembly.state));
+    for (std::string& warning : warnings(scene, *state_)) assembly.notes.push_back(std::move(warning));
     inside_ = std::make_unique<Inside>(scene, threads, *state_, std::move(assembly.notes));
     take_in(scene);
     step::refresh_contacts(*state_, inside_->stepper.search);

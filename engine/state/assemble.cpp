@@ -182,7 +182,23 @@ void lay_out_materials(const model::Scene& scene, State& state) {
     }
 }
 
-std::string describe(const State& state, std::size_t body, const AnyBondSet* bonds) {
+const char* words_for(model::Network network) {
+    switch (network) {
+    case model::Network::facets:
+        return "across facets: E and nu as given";
+    case model::Network::unit_cell:
+        return "unit cell: E and nu as given inside a close-packed body";
+    case model::Network::delaunay:
+        return "between neighbouring cells";
+    case model::Network::contacts:
+    case model::Network::automatic:
+        break;
+    }
+    return "between touching elements";
+}
+
+std::string describe(const State& state, std::size_t body, std::optional<model::Network> network,
+                     const AnyBondSet* bonds) {
     const Body& facts = state.bodies[body];
     std::string text = fmt::format("{}: {} elements", facts.name, facts.size());
     if (facts.rigid) return text + ", rigid";
@@ -190,8 +206,9 @@ std::string describe(const State& state, std::size_t body, const AnyBondSet* bon
     return std::visit(
         [&](const auto& set) {
             using Law = typename std::decay_t<decltype(set)>::law;
-            return fmt::format("{}, {} bonds ({}), coordination {:.2f}", text, set.size(), Law::name,
-                               2.0 * static_cast<double>(set.size()) / static_cast<double>(facts.size()));
+            return fmt::format("{}, {} bonds ({}), coordination {:.2f}, {}", text, set.size(), Law::name,
+                               2.0 * static_cast<double>(set.size()) / static_cast<double>(facts.size()),
+                               words_for(*network));
         },
         *bonds);
 }
@@ -239,11 +256,12 @@ Assembly assemble(const model::Scene& scene) {
         const model::Body& said = scene.bodies[row];
         set_moving(said, row, state);
         std::optional<AnyBondSet> bonds;
-        if (const std::optional<model::Network> network = model::network_of(said)) {
+        const std::optional<model::Network> network = model::network_of(said);
+        if (network) {
             const BondedBody body{row, *network, cells[row] ? &*cells[row] : nullptr};
             bonds = bond_body(state, body, said.bonds, scene.materials[said.material], scene.plane);
         }
-        assembly.notes.push_back(describe(state, row, bonds ? &*bonds : nullptr));
+        assembly.notes.push_back(describe(state, row, network, bonds ? &*bonds : nullptr));
         if (bonds) state.bond_sets.push_back(std::move(*bonds));
     }
     lay_out_walls(scene, state);
