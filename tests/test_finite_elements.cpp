@@ -201,7 +201,7 @@ TEST_CASE("series of the squeezed disc: free boundary, Hondros at the centre, fo
     CHECK(centre.hoop == Approx(hondros.hoop).epsilon(1e-12));
 
     // The hoop stress on the horizontal radius carries the whole load; it vanishes at the free wall, so that leaving out
-    // the last 0.01 costs little: trapezoids, 0.005 wide.
+    // the last 0.01 costs little: midpoints of steps of 0.005.
     double carried = 0.0;
     for (int k = 0; k < 198; ++k) {
         const double middle = (k + 0.5) * 0.005;
