@@ -64,7 +64,9 @@ void read_signal_pair(const Value& value, const model::SignalPairSlot& pair);
 void read_selection(const Call& call, const std::string& what, int index, model::Selection& selection);
 /// The yes-or-no function at `index` as the engine will ask it.
 std::function<bool(Vec2)> place_function(const Call& call, const std::string& what, int index);
-/// Asks every function of place of the scene once, so that a wrong one is found before the run.
+/// The function at `index` that gives a positive number, as the engine will ask it.
+model::Spacing spacing_function(const Call& call, const std::string& what, int index);
+/// Asks every yes-or-no function of place of the scene once, so that a wrong one is found before the run.
 void try_place_functions(Context& context);
 
 } // namespace demlua::scripting

@@ -3,6 +3,7 @@
 #include "scripting/read.hpp"
 
 #include <cmath>
+#include <optional>
 
 namespace demlua::scripting {
 
@@ -56,18 +57,31 @@ void read_named_part(const Call& call, const std::string& what, const std::strin
                   model::did_you_mean(name, {"within", "where"}), Cause::wording);
 }
 
-bool ask(const Function& function, const Place& place, const std::string& what, Vec2 point) {
+/// Calls a function of place. `take` is given the interpreter with the answer on top, and says what it is if it is right.
+template <class Take>
+auto ask(const Function& function, const Place& place, const std::string& what, Vec2 point, const char* rule,
+         const Take& take) {
     Interpreter& interpreter = function.push();
     lua_State* const L = interpreter.L;
     lua_pushnumber(L, point.x);
     lua_pushnumber(L, point.y);
     interpreter.call(L, 2, 1);
-    const bool yes_or_no = lua_type(L, -1) == LUA_TBOOLEAN;
-    const bool answer = lua_toboolean(L, -1) != 0;
-    const std::string given = describe(L, -1);
+    const auto answer = take(L);
+    const std::string given = answer ? "" : describe(L, -1);
     lua_pop(L, 1);
-    if (!yes_or_no) throw SceneError(Problem{place, what, given, "must return true or false", ""});
-    return answer;
+    if (!answer) throw SceneError(Problem{place, what, given, rule, ""});
+    return *answer;
+}
+
+std::optional<bool> yes_or_no(lua_State* L) {
+    if (lua_type(L, -1) != LUA_TBOOLEAN) return std::nullopt;
+    return lua_toboolean(L, -1) != 0;
+}
+
+std::optional<double> positive_number(lua_State* L) {
+    const double number = lua_type(L, -1) == LUA_TNUMBER ? lua_tonumber(L, -1) : 0.0;
+    if (!std::isfinite(number) || number <= 0.0) return std::nullopt;
+    return number;
 }
 
 } // namespace
@@ -75,9 +89,19 @@ bool ask(const Function& function, const Place& place, const std::string& what, 
 std::function<bool(Vec2)> place_function(const Call& call, const std::string& what, int index) {
     const Function function(call.L, index);
     const Place place = call.place;
-    auto asked = [function, place, what](Vec2 point) { return ask(function, place, what, point); };
+    auto asked = [function, place, what](Vec2 point) {
+        return ask(function, place, what, point, "must return true or false", yes_or_no);
+    };
     call.context.place_functions.emplace_back(asked);
     return asked;
+}
+
+model::Spacing spacing_function(const Call& call, const std::string& what, int index) {
+    const Function function(call.L, index);
+    const Place place = call.place;
+    return [function, place, what](Vec2 point) {
+        return ask(function, place, what, point, "must return a positive number", positive_number);
+    };
 }
 
 void read_selection(const Call& call, const std::string& what, int index, Selection& selection) {

@@ -170,6 +170,10 @@ struct Filler {
         });
     }
     void operator()(Region* into) const { take_object(value, slot, *into); }
+    void operator()(Spacing* into) const {
+        if (lua_type(L(), index()) != LUA_TFUNCTION) return value.wrong_type(slot);
+        *into = spacing_function(value.call, value.what, index());
+    }
     void operator()(PackingChoice* into) const { take_object(value, slot, *into); }
     void operator()(BondChoice* into) const { take_object(value, slot, *into); }
     void operator()(Selection* into) const { read_selection(value.call, value.what, index(), *into); }

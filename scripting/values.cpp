@@ -174,7 +174,7 @@ void add_values(lua_State* L) {
     define<PackingChoice>(L, nullptr);
     define<BondChoice>(L, nullptr);
     define<Signal>(L, nullptr);
-    constexpr std::array<luaL_Reg, 12> functions{
+    constexpr std::array<luaL_Reg, 13> functions{
         {{"material", guarded<material>},
          {"rectangle", guarded<rectangle>},
          {"disc", guarded<disc>},
@@ -182,6 +182,7 @@ void add_values(lua_State* L) {
          {"half_plane", guarded<half_plane>},
          {"close_packed", guarded<choice<PackingChoice, ClosePacking, words::close_packed>>},
          {"consolidated", guarded<choice<PackingChoice, Consolidation, words::consolidated>>},
+         {"relaxed", guarded<choice<PackingChoice, Relaxation, words::relaxed>>},
          {"disks", guarded<choice<PackingChoice, ListedDisks, words::disks>>},
          {"elastic", guarded<choice<BondChoice, ElasticBonds, words::elastic>>},
          {"plateau", guarded<choice<BondChoice, PlateauBonds, words::plateau>>},

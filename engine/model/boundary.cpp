@@ -104,11 +104,6 @@ double swept_area(const Piece& piece, Vec2 about) {
 
 namespace {
 
-Swept swept_by_chord(Vec2 from, Vec2 to) {
-    const double area = 0.5 * cross(from, to);
-    return {area, (area / 3.0) * (from + to)};
-}
-
 /// angle - sin(angle) without cancellation.
 double less_its_sine(double angle) {
     if (angle > 0.3) return angle - std::sin(angle);

@@ -101,6 +101,12 @@ struct Swept {
     }
 };
 
+/// Along a straight line, about the origin.
+inline Swept swept_by_chord(Vec2 from, Vec2 to) {
+    const double area = 0.5 * cross(from, to);
+    return {area, (area / 3.0) * (from + to)};
+}
+
 /// Along a finite piece, about `about`. An arc counts as its chord and the segment beyond it, so that a large circle
 /// costs no digits.
 Swept swept(const Piece& piece, Vec2 about);

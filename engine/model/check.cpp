@@ -104,6 +104,29 @@ void check_network(const Body& body, Findings& findings) {
     }
 }
 
+/// A place of the region where nobody would forget to define something: its middle, or else on its boundary.
+Vec2 some_place(const Region& region) {
+    const Box box = region.bounds();
+    const Vec2 middle = 0.5 * (box.lower + box.upper);
+    if (region.contains(middle)) return middle;
+    const Piece& piece = region.boundary().front();
+    return piece.at(0.5 * (piece.begin + piece.end));
+}
+
+void check_relaxation(const Body& body, const Relaxation& packing, Findings& findings) {
+    const int given = (packing.count > 0 ? 1 : 0) + (packing.spacing > 0.0 ? 1 : 0) + (packing.size ? 1 : 0);
+    if (given != 1) {
+        findings.add(body.place, "relaxed.count", packing.count == 0 ? "" : std::to_string(packing.count),
+                     "exactly one of count, spacing and size must be given");
+    }
+    if (!packing.size) return;
+    try {
+        packing.size(some_place(body.region));
+    } catch (const SceneError& error) {
+        findings.problems.insert(findings.problems.end(), error.problems().begin(), error.problems().end());
+    }
+}
+
 void check_packing(const Body& body, Findings& findings) {
     if (std::holds_alternative<std::monostate>(body.packing)) {
         findings.add(body.place, "body.packing", "", "is missing: a body without packing has no elements");
@@ -125,6 +148,7 @@ void check_packing(const Body& body, Findings& findings) {
     if (const auto* pressed = std::get_if<Consolidation>(&body.packing)) {
         check_consolidation(body, *pressed, findings);
     }
+    if (const auto* even = std::get_if<Relaxation>(&body.packing)) check_relaxation(body, *even, findings);
 }
 
 bool selects_nothing(const Selection& selection) { return !selection.body && !selection.within && !selection.where; }

@@ -4,6 +4,7 @@
 #include "engine/base/vec2.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -30,6 +31,21 @@ struct Consolidation {
     std::uint64_t count = 0;      ///< elements wanted (made up to whole clusters); 0: as many as `radius` gives
     double radius = 0.0;          ///< element radius, m; 0: what `count` gives
     double solid_fraction = 0.82; ///< area of the disks over the area of the region
+    int relax = 0;                ///< steps of Lloyd's method after the pack is pressed
+    std::uint64_t seed = 1;
+};
+
+/// Distance between neighbouring elements wanted at a place, m. Throws SceneError where it is no positive number.
+using Spacing = std::function<double(Vec2)>;
+
+/// An irregular pack of elements at even distances (Lloyd 1982). One of `count`, `spacing` and `size` says how fine it
+/// is.
+struct Relaxation {
+    std::uint64_t count = 0;  ///< elements; 0 if not given
+    double spacing = 0.0;     ///< between neighbouring elements, m; 0 if not given
+    Spacing size;             ///< the same from place to place; empty if not given
+    int steps = 50;           ///< of Lloyd's method
+    bool on_boundary = false; ///< whether a row of elements stands on the region's boundary
     std::uint64_t seed = 1;
 };
 
@@ -42,6 +58,6 @@ struct ListedDisks {
     std::vector<Disk> disks;
 };
 
-using PackingChoice = std::variant<std::monostate, ClosePacking, Consolidation, ListedDisks>;
+using PackingChoice = std::variant<std::monostate, ClosePacking, Consolidation, Relaxation, ListedDisks>;
 
 } // namespace demlua::model

@@ -45,8 +45,11 @@ Kind kind(const WithinSlot& /*v*/) { return {region_words, "dem.region"}; }
 Kind kind(const WhereSlot& /*v*/) {
     return {"a function of x and y that gives true or false", "fun(x: number, y: number): boolean"};
 }
+Kind kind(const Spacing* /*v*/) {
+    return {"a function of x and y that gives a positive number", "fun(x: number, y: number): number"};
+}
 Kind kind(const PackingChoice* /*v*/) {
-    return {"a packing: dem.close_packed, dem.consolidated or dem.disks", "dem.packing"};
+    return {"a packing: dem.close_packed, dem.consolidated, dem.relaxed or dem.disks", "dem.packing"};
 }
 Kind kind(const BondChoice* /*v*/) { return {"a bond law: dem.elastic or dem.plateau", "dem.bonds"}; }
 Kind kind(const Selection* /*v*/) {

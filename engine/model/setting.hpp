@@ -54,8 +54,8 @@ struct ChoiceSlot {
 /// Where a value goes; which alternative it is says what the value may be.
 using Slot = std::variant<double*, std::optional<double>*, bool*, int*, std::uint64_t*, std::string*, Vec2*,
                           std::optional<Vec2>*, Signal*, std::optional<Signal>*, SignalPairSlot, std::vector<Vec2>*,
-                          std::vector<Disk>*, Region*, PackingChoice*, BondChoice*, Selection*, WithinSlot, WhereSlot,
-                          MaterialSlot, BodySlot, ChoiceSlot, Callback*>;
+                          std::vector<Disk>*, Region*, Spacing*, PackingChoice*, BondChoice*, Selection*, WithinSlot,
+                          WhereSlot, MaterialSlot, BodySlot, ChoiceSlot, Callback*>;
 
 /// What a slot takes, in words for people and for lua-language-server.
 struct Kind {

@@ -76,6 +76,7 @@ const WordOf<TurnSaid>& rotated();
 
 const WordOf<ClosePacking>& close_packed();
 const WordOf<Consolidation>& consolidated();
+const WordOf<Relaxation>& relaxed();
 const WordOf<ListedDisks>& disks();
 const WordOf<DiskSaid>& disk();
 const WordOf<ElasticBonds>& elastic();

@@ -206,13 +206,14 @@ const WordOf<Nothing>& result() {
 
 const std::vector<const Word*>& all_words() {
     static const std::vector<const Word*> words{
-        &words::param(),        &words::simulation(), &words::material(),   &words::rectangle(), &words::disc(),
-        &words::polygon(),      &words::half_plane(), &words::translated(), &words::rotated(),   &words::close_packed(),
-        &words::consolidated(), &words::disks(),      &words::elastic(),    &words::plateau(),   &words::body(),
-        &words::set_velocity(), &words::fix(),        &words::move(),       &words::force(),     &words::traction(),
-        &words::ramp(),         &words::wall(),       &words::wall_move(),  &words::notch(),     &words::damping(),
-        &words::probe(),        &words::history(),    &words::output(),     &words::every(),     &words::run(),
-        &words::result()};
+        &words::param(),        &words::simulation(),   &words::material(),     &words::rectangle(),
+        &words::disc(),         &words::polygon(),      &words::half_plane(),   &words::translated(),
+        &words::rotated(),      &words::close_packed(), &words::consolidated(), &words::relaxed(),
+        &words::disks(),        &words::elastic(),      &words::plateau(),      &words::body(),
+        &words::set_velocity(), &words::fix(),          &words::move(),         &words::force(),
+        &words::traction(),     &words::ramp(),         &words::wall(),         &words::wall_move(),
+        &words::notch(),        &words::damping(),      &words::probe(),        &words::history(),
+        &words::output(),       &words::every(),        &words::run(),          &words::result()};
     return words;
 }
 

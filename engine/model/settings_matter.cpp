@@ -169,7 +169,30 @@ const WordOf<Consolidation>& consolidated() {
             row<&Consolidation::radius>("radius", "m", optional, positive, "of the elements; this or count"),
             row<&Consolidation::solid_fraction>("solid_fraction", "", optional, solid,
                                                 "area of the disks over the area of the region"),
+            row<&Consolidation::relax>("relax", "", optional, non_negative,
+                                       "steps of Lloyd's method afterwards, which make the distances even"),
             row<&Consolidation::seed>("seed", "", optional, non_negative, "same seed, same pack"),
+        });
+    return made;
+}
+
+const WordOf<Relaxation>& relaxed() {
+    static const WordOf<Relaxation> made = word<Relaxation>(
+        "dem.relaxed",
+        "Irregular pack of single elements at even distances, by Lloyd's method. Fills any region to its walls.",
+        "a packing", "dem.relaxed { size = function(x, y) return 2e-3 + 0.1 * y end, on_boundary = true }",
+        {
+            row<&Relaxation::count>("count", "", optional, positive, "elements wanted; this, spacing or size"),
+            row<&Relaxation::spacing>("spacing", "m", optional, positive,
+                                      "distance of neighbouring elements; this, count or size"),
+            row<&Relaxation::size>("size", optional,
+                                   "the same from place to place, m; from an element to the next it should change by "
+                                   "less than a third"),
+            row<&Relaxation::steps>("steps", "", optional, non_negative, "of Lloyd's method: more give evener cells"),
+            row<&Relaxation::on_boundary>("on_boundary", optional,
+                                          "a row of elements stands on the region's boundary, one in each corner; else "
+                                          "all disks lie inside"),
+            row<&Relaxation::seed>("seed", "", optional, non_negative, "same seed, same pack"),
         });
     return made;
 }

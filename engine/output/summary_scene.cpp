@@ -48,7 +48,19 @@ Json packing_json(const model::Consolidation& packing) {
             {"count", packing.count},
             {"radius", packing.radius},
             {"solid_fraction", packing.solid_fraction},
+            {"relax", packing.relax},
             {"seed", packing.seed}};
+}
+
+Json packing_json(const model::Relaxation& packing) {
+    Json json{{"kind", "relaxed"},
+              {"steps", packing.steps},
+              {"on_boundary", packing.on_boundary},
+              {"graded", static_cast<bool>(packing.size)},
+              {"seed", packing.seed}};
+    if (packing.count > 0) json["count"] = packing.count;
+    if (packing.spacing > 0.0) json["spacing"] = packing.spacing;
+    return json;
 }
 
 Json packing_json(const model::ListedDisks& packing) { return {{"kind", "disks"}, {"count", packing.disks.size()}}; }
@@ -81,7 +93,8 @@ Json body_json(const model::Body& body, const model::Scene& scene, std::size_t c
 Json seeds_json(const model::Scene& scene) {
     Json json = Json::object();
     for (const auto& body : scene.bodies) {
-        if (const auto* drawn = std::get_if<model::Consolidation>(&body.packing)) json[body.name] = drawn->seed;
+        if (const auto* pressed = std::get_if<model::Consolidation>(&body.packing)) json[body.name] = pressed->seed;
+        if (const auto* even = std::get_if<model::Relaxation>(&body.packing)) json[body.name] = even->seed;
     }
     return json;
 }

@@ -3,11 +3,9 @@
 #include "engine/base/problems.hpp"
 #include "engine/packing/clipping.hpp"
 #include "engine/packing/convex_cell.hpp"
-
-#include <nanoflann.hpp>
+#include "engine/packing/nearest.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -16,60 +14,23 @@ namespace demlua::packing {
 
 namespace {
 
-using Point = std::array<double, 3>;
-
-/// Elements lifted out of the plane by sqrt(largest R^2 - R^2): seen from a point of the plane, |x - x_i|^2 - R_i^2 is
-/// the square of a distance (less a constant), so the element that owns the point is its nearest neighbour (Aurenhammer
-/// 1987).
-struct Lifted {
-    std::vector<Point> points;
-
-    [[nodiscard]] std::size_t kdtree_get_point_count() const { return points.size(); }
-    [[nodiscard]] double kdtree_get_pt(std::size_t k, std::size_t axis) const { return points[k][axis]; }
-    template <class B>
-    bool kdtree_get_bbox(B& /*box*/) const {
-        return false;
-    }
-};
-
-using Metric = nanoflann::L2_Simple_Adaptor<double, Lifted>;
-using Tree = nanoflann::KDTreeSingleIndexAdaptor<Metric, Lifted, 3, std::size_t>;
-
-Lifted lift(const std::vector<Vec2>& centre, const std::vector<double>& radius) {
-    const double largest = radius.empty() ? 0.0 : *std::max_element(radius.begin(), radius.end());
-    Lifted lifted;
-    for (std::size_t k = 0; k < centre.size(); ++k) {
-        const double height = std::sqrt((largest - radius[k]) * (largest + radius[k]));
-        lifted.points.push_back({centre[k].x, centre[k].y, height});
-    }
-    return lifted;
-}
-
-double squared_distance(const Point& a, const Point& b) {
-    double sum = 0.0;
-    for (std::size_t axis = 0; axis < a.size(); ++axis) sum += (a[axis] - b[axis]) * (a[axis] - b[axis]);
-    return sum;
-}
-
 /// Builds the whole cell of one element after another: first against its nearest neighbours, then against whoever
 /// owns one of its corners, until it owns them all; what is convex and owns its corners owns all between.
 class CellBuilder {
 public:
     CellBuilder(const std::vector<Vec2>& centre, const std::vector<double>& radius, const Box& box)
-        : centre_(centre), radius_(radius), box_(box), lifted_(lift(centre, radius)),
-          tree_(3, lifted_, nanoflann::KDTreeSingleIndexAdaptorParams(leaf_size)) {}
+        : centre_(centre), radius_(radius), box_(box), nearest_(centre, radius) {}
 
     void build(std::size_t i, ConvexCell& cell) {
         cell.fill({box_.lower - centre_[i], box_.upper - centre_[i]});
         const double horizon = cut_by_nearest(i, cell);
-        const double height = lifted_.points[i][2];
         const double reach = cell.reach();
+        const double height = nearest_.height(i);
         if (horizon >= 4.0 * (reach * reach + height * height)) return;
         cut_by_owners_of_corners(i, cell);
     }
 
 private:
-    static constexpr std::size_t leaf_size = 8;
     static constexpr std::size_t nearest_count = 16;
 
     bool cut_by(std::size_t i, std::size_t j, ConvexCell& cell) const {
@@ -85,12 +46,11 @@ private:
 
     /// Returns the squared distance (lifted, m^2) below which nobody is left who might cut.
     double cut_by_nearest(std::size_t i, ConvexCell& cell) {
-        const std::size_t count =
-            tree_.knnSearch(lifted_.points[i].data(), nearest_count, nearest_.data(), distances_.data());
-        for (std::size_t k = 0; k < count; ++k) {
-            if (nearest_[k] != i) cut_by(i, nearest_[k], cell);
+        nearest_.around(i, nearest_count, found_);
+        for (const Near& near : found_) {
+            if (near.element != i) cut_by(i, near.element, cell);
         }
-        return count < nearest_count ? std::numeric_limits<double>::infinity() : distances_[count - 1];
+        return found_.size() < nearest_count ? std::numeric_limits<double>::infinity() : found_.back().power;
     }
 
     void cut_by_owners_of_corners(std::size_t i, ConvexCell& cell) {
@@ -98,23 +58,18 @@ private:
         std::size_t k = 0;
         while (k < cell.sides().size()) {
             const Vec2 corner = centre_[i] + cell.sides()[k].from;
-            const Point point{corner.x, corner.y, 0.0};
-            std::size_t owner = i;
-            double distance = 0.0;
-            tree_.knnSearch(point.data(), 1, &owner, &distance);
-            const bool lost = owner != i && !cell.borders(static_cast<Index>(owner)) &&
-                              distance < clearly * squared_distance(point, lifted_.points[i]);
-            k = lost && cut_by(i, owner, cell) ? 0 : k + 1;
+            const Near owner = nearest_.owner(corner);
+            const bool lost = owner.element != i && !cell.borders(static_cast<Index>(owner.element)) &&
+                              owner.power < clearly * nearest_.power(corner, i);
+            k = lost && cut_by(i, owner.element, cell) ? 0 : k + 1;
         }
     }
 
     const std::vector<Vec2>& centre_;
     const std::vector<double>& radius_;
     Box box_;
-    Lifted lifted_;
-    Tree tree_;
-    std::array<std::size_t, nearest_count> nearest_{};
-    std::array<double, nearest_count> distances_{};
+    Nearest nearest_;
+    std::vector<Near> found_; ///< scratch
 };
 
 /// Facets of element i with elements of higher number.

@@ -3,6 +3,8 @@
 // units).
 #include "engine/base/problems.hpp"
 #include "engine/packing/growth.hpp"
+#include "engine/packing/lloyd.hpp"
+#include "engine/packing/numbering.hpp"
 #include "engine/packing/packing.hpp"
 #include "engine/packing/spreading.hpp"
 
@@ -12,9 +14,6 @@
 #include <cstdio>
 #include <limits>
 #include <numbers>
-#include <numeric>
-#include <tuple>
-#include <utility>
 
 namespace demlua::packing {
 namespace {
@@ -93,26 +92,6 @@ double press(Growth& pack, double radius, std::uint64_t seed) {
     throw RunError(text.data());
 }
 
-/// Order of the disks by bands across the longer side of the box, and within a band along the shorter.
-std::vector<std::size_t> order_by_bands(const std::vector<Vec2>& disks, const Box& box, double band) {
-    const bool wide = box.size().x >= box.size().y;
-    struct Key {
-        double band;
-        double along;
-    };
-    std::vector<Key> keys;
-    for (const Vec2 p : disks) {
-        const Vec2 q = p - box.lower;
-        keys.push_back({std::floor((wide ? q.x : q.y) / band), wide ? q.y : q.x});
-    }
-    std::vector<std::size_t> order(disks.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(), [&keys](std::size_t a, std::size_t b) {
-        return std::tie(keys[a].band, keys[a].along, a) < std::tie(keys[b].band, keys[b].along, b);
-    });
-    return order;
-}
-
 Packing numbered(const std::vector<Vec2>& disks, std::size_t cluster, const Box& box, double radius, double area) {
     constexpr Index none = std::numeric_limits<Index>::max();
     std::vector<Index> number(disks.size() / cluster, none);
@@ -152,7 +131,9 @@ Packing consolidated(const model::Region& region, const Consolidation& settings)
     grow(pack, radius);
     const double left = press(pack, radius, settings.seed);
     if (left > largest_overlap) report_jam(pack, left, settings.solid_fraction);
-    return numbered(pack.disks(), shape.size(), region.bounds(), radius, area);
+    std::vector<Vec2> disks = pack.disks();
+    relax(disks, region, {}, settings.relax, 0);
+    return numbered(disks, shape.size(), region.bounds(), radius, area);
 }
 
 } // namespace demlua::packing

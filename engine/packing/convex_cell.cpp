@@ -47,6 +47,12 @@ bool ConvexCell::contains(Vec2 point) const {
                                    [point](const Side& side) { return dot(point, side.towards) <= side.offset; });
 }
 
+model::Swept ConvexCell::swept() const {
+    model::Swept sum;
+    for (std::size_t k = 0; k < sides_.size(); ++k) sum += model::swept_by_chord(sides_[k].from, end_of(k));
+    return sum;
+}
+
 double ConvexCell::reach() const {
     double square = 0.0;
     for (const Side& side : sides_) square = std::max(square, dot(side.from, side.from));

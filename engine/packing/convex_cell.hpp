@@ -3,6 +3,7 @@
 
 #include "engine/base/column.hpp"
 #include "engine/base/vec2.hpp"
+#include "engine/model/boundary.hpp"
 
 #include <limits>
 #include <vector>
@@ -35,6 +36,8 @@ public:
     [[nodiscard]] Vec2 end_of(std::size_t side) const { return sides_[side + 1 < sides_.size() ? side + 1 : 0].from; }
     [[nodiscard]] bool borders(Index element) const;
     [[nodiscard]] bool contains(Vec2 point) const;
+    /// Its area and first moment about the element.
+    [[nodiscard]] model::Swept swept() const;
     /// Distance from the element to the farthest corner, m.
     [[nodiscard]] double reach() const;
 

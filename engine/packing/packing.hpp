@@ -13,7 +13,7 @@ namespace demlua::packing {
 
 /// Element centres (m) and radii (m), all of one length. `cluster[k]` numbers the cluster an element came in,
 /// from zero. `cell_area` is the part of the plane each element stands for (m^2): its lattice cell, or the
-/// region's area shared out in proportion to radius squared.
+/// region's area shared out in proportion to radius squared, or its cell in a relaxed pack.
 struct Packing {
     std::vector<Vec2> centre;
     std::vector<double> radius;
@@ -23,6 +23,7 @@ struct Packing {
 
 using model::Consolidation;
 using model::Fit;
+using model::Relaxation;
 using model::Rows;
 
 /// Hexagonal lattice, every element touching six others; rows stand 2R and sqrt(3) R apart. A lattice point
@@ -41,7 +42,19 @@ double consolidated_radius(const model::Region& region, const Consolidation& set
 /// element. Large packs reach a solid fraction of about 0.85 (clusters of 1 and 2), 0.84 (3), 0.81 (4), 0.79 (7),
 /// ordering more and more as they come near it; small ones reach less, because walls take room. Throws RunError
 /// where more is asked, saying what fits; an empty region, or one too small for one cluster of `radius`, gives an
-/// empty packing.
+/// empty packing. With `relax` the elements then take that many steps of Lloyd's method, which undoes the clusters'
+/// shapes.
 Packing consolidated(const model::Region& region, const Consolidation& settings);
+
+/// Elements sown at random with the density asked for, then moved `steps` times to the middles of their cells, weighted
+/// where their size differs from place to place. Each is a cluster of its own. Cell areas are those of cells_of, their
+/// sum is the region's area; the radius is that of the hexagon of that area, sqrt(area / (2 sqrt(3))), but no disk
+/// reaches across the boundary except those of elements that stand on it, which are as large as their neighbours
+/// inside. With `on_boundary` a row of elements stands on the boundary, one in every corner. Numbered like a consolidated
+/// pack. Throws RunError for more than ten million elements; an empty region gives an empty packing.
+Packing relaxed(const model::Region& region, const Relaxation& settings);
+
+/// Radius (m) of a full cell of mean area in that pack, sown but not yet relaxed.
+double relaxed_radius(const model::Region& region, const Relaxation& settings);
 
 } // namespace demlua::packing

@@ -34,6 +34,8 @@ packing::Packing packed(const model::Body& body) {
                 return packing::close_packed(body.region, choice.radius, choice.rows, choice.fit, choice.origin);
             } else if constexpr (std::is_same_v<Choice, model::Consolidation>) {
                 return packing::consolidated(body.region, choice);
+            } else if constexpr (std::is_same_v<Choice, model::Relaxation>) {
+                return packing::relaxed(body.region, choice);
             } else if constexpr (std::is_same_v<Choice, model::ListedDisks>) {
                 return listed(choice);
             } else {
