@@ -53,13 +53,16 @@ FacetBond bond_of(const packing::Facet& facet, const Line& line, const law::Face
     bond.growth_j = law::cell_growth(closed, line.length, line.share_i, true);
 
     const Vec2 t = turned_left(line.normal);
-    const auto add_bar = [&](Vec2 outward, law::FacetPart outer) {
+    const auto meet_wall = [&](double side, Vec2 outward, law::FacetPart outer) {
         const Vec2 tangent = turned_left(outward);
         law::add_wall_bar(bond.springs, moduli, outer, dot(tangent, line.normal), dot(tangent, t), line.length,
                           thickness);
+        const law::FacetVector<double> growth = law::growth_beside_wall(side, line.length);
+        bond.growth_i = bond.growth_i + growth;
+        bond.growth_j = bond.growth_j + growth;
     };
-    if (wall_below) add_bar(facet.outward_from, part_between(line.low, low));
-    if (wall_above) add_bar(facet.outward_to, part_between(high, line.high));
+    if (wall_below) meet_wall(-1.0, facet.outward_from, part_between(line.low, low));
+    if (wall_above) meet_wall(+1.0, facet.outward_to, part_between(high, line.high));
     return bond;
 }
 

@@ -22,7 +22,12 @@
 //
 //   V = (T'MT - nu* N'MN)/(1 - nu*);      V = tr(M)/2, the cell's area, for a cell without wall or in a corner.
 //
-// A uniform stress along a straight free wall is then in equilibrium however the elements stand beside it.
+// A uniform stress along a straight free wall is then in equilibrium however the elements stand beside it. When the body
+// bends, the facets on the inner side of such a cell see a flux that no facets opposite them balance, (w/l) l^3/16 for a
+// hexagonal cell. Each of the cell's two bonds along the wall gives half of it back, h = +1 where the wall lies towards t,
+// -1 where it lies away from it:
+//
+//   D_i += h l^2 w/32,   D_j += h l^2 w/32.
 //
 // Source: derived from the divergence theorem for cells, as their growth under a uniform strain is V tr(strain).
 // Limits: small strains within a cell; springs of one sign only, so U is never negative whatever is broken.
@@ -121,6 +126,11 @@ inline FacetVector<double> cell_growth(FacetPart part, double length, double sha
     const double share_j = 1.0 - share_i;
     if (of_j) return {part.area * share_j, -part.area * part.centre / length, part.area * part.centre * share_i};
     return {part.area * share_i, part.area * part.centre / length, part.area * part.centre * share_j};
+}
+
+/// Growth of the cells on either side of a bond along a free wall when the body bends; `side` is h.
+constexpr FacetVector<double> growth_beside_wall(double side, double length) {
+    return {0.0, 0.0, side * length * length / 32.0};
 }
 
 } // namespace demlua::law
