@@ -1,6 +1,7 @@
 #include "scripting/program.hpp"
 
 #include "scripting/command_line.hpp"
+#include "scripting/kept_packs.hpp"
 #include "scripting/run_host.hpp"
 
 #include <fmt/format.h>
@@ -68,7 +69,7 @@ int check(const CommandLine& line, Terminal& terminal) {
 
 int explain(const CommandLine& line, Terminal& terminal) {
     const SceneSummary scene = check_scene(line.scene, line.overrides);
-    const observe::Simulation simulation(scene.scene, line.threads);
+    const observe::Simulation simulation(scene.scene, line.threads, kept_packs().get());
     for (const auto& fact : scene_facts(scene.scene, simulation)) terminal.say(fact);
     for (const auto& run : scene.runs) terminal.say(run_outlook(simulation, run.duration));
     return exit_done;
@@ -82,7 +83,8 @@ RunSettings settings_for(const CommandLine& line) {
                          text_of_file(line.scene),
                          {},
                          line.threads,
-                         0.0};
+                         0.0,
+                         kept_packs()};
     std::vector<Problem> problems;
     auto scene = collecting(problems, [&] { return check_scene(line.scene, line.overrides); });
     if (!scene || !scene->runs.empty()) {

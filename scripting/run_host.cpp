@@ -118,7 +118,7 @@ void RunHost::begin_run(const model::Scene& scene, const RunRequest& request) {
 
 void RunHost::start(const model::Scene& scene) {
     const auto begin = Clock::now();
-    simulation_ = std::make_unique<observe::Simulation>(scene, settings_.threads);
+    simulation_ = std::make_unique<observe::Simulation>(scene, settings_.threads, settings_.packs.get());
     assembly_time_ = seconds_since(begin);
     inputs_ = output::inputs_json(scene, *simulation_);
     settings_.folder.open(settings_.scene_text);

@@ -24,8 +24,9 @@ struct RunSettings {
     std::string scene_file;
     std::string scene_text;
     std::vector<Parameter> parameters;
-    int threads = 0;           ///< 0: as many as there are processors and work for
-    double reading_time = 0.0; ///< s
+    int threads = 0;                                           ///< 0: as many as there are processors and work for
+    double reading_time = 0.0;                                 ///< s
+    std::shared_ptr<const packing::PackStore> packs = nullptr; ///< kept from run to run, or none
 };
 
 class RunHost : public Host {

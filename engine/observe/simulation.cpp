@@ -107,8 +107,8 @@ struct Simulation::Inside {
           notes(std::move(facts)) {}
 };
 
-Simulation::Simulation(const model::Scene& scene, int threads) {
-    state::Assembly assembly = state::assemble(scene);
+Simulation::Simulation(const model::Scene& scene, int threads, const packing::PackStore* packs) {
+    state::Assembly assembly = state::assemble(scene, packs);
     state_ = std::make_unique<state::State>(std::move(assembly.state));
     for (std::string& warning : warnings(scene, *state_)) assembly.notes.push_back(std::move(warning));
     inside_ = std::make_unique<Inside>(scene, threads, *state_, std::move(assembly.notes));

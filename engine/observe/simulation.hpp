@@ -4,6 +4,7 @@
 #include "engine/base/team.hpp"
 #include "engine/model/scene.hpp"
 #include "engine/observe/snapshot.hpp"
+#include "engine/packing/pack_store.hpp"
 
 #include <atomic>
 #include <cstddef>
@@ -49,7 +50,8 @@ struct StageTime {
 class Simulation {
 public:
     /// Packs, bonds and checks the scene. `threads` 0: as many as there are processors and work for. Throws SceneError with every problem that only the packed scene shows.
-    Simulation(const model::Scene& scene, int threads);
+    /// `packs` may keep packs from run to run; it is asked only here.
+    Simulation(const model::Scene& scene, int threads, const packing::PackStore* packs = nullptr);
     ~Simulation();
     Simulation(const Simulation&) = delete;
     Simulation& operator=(const Simulation&) = delete;

@@ -3,6 +3,7 @@
 #include "engine/packing/boundary_row.hpp"
 #include "engine/packing/cells.hpp"
 #include "engine/packing/lloyd.hpp"
+#include "engine/packing/nearest.hpp"
 #include "engine/packing/numbering.hpp"
 #include "engine/packing/packing.hpp"
 #include "engine/packing/sowing.hpp"
@@ -102,6 +103,18 @@ void size_like_neighbours(std::size_t count, const Cells& cells, std::vector<dou
     }
 }
 
+/// Of two elements so close that one disk holds the centre of the other, one might have no cell.
+void keep_off_centres(const std::vector<Vec2>& centre, std::vector<double>& radius) {
+    constexpr double largest = 0.75; // of the distance to the nearest centre; 0.5 where elements are even
+    if (centre.size() < 2) return;
+    Nearest nearest(centre, std::vector<double>(centre.size(), 0.0));
+    std::vector<Near> found;
+    for (std::size_t k = 0; k < centre.size(); ++k) {
+        nearest.around(k, 2, found);
+        radius[k] = std::min(radius[k], largest * std::sqrt(found.back().power));
+    }
+}
+
 Packing numbered(const Packing& pack, const Box& box) {
     const double sum = std::accumulate(pack.radius.begin(), pack.radius.end(), 0.0);
     const double band = 4.0 * sum / static_cast<double>(pack.radius.size());
@@ -133,6 +146,7 @@ Packing relaxed(const model::Region& region, const Relaxation& settings) {
     const Cells cells = cells_of(pack.centre, std::vector<double>(pack.centre.size(), 0.0), region);
     pack.radius = radii_inside(pack.centre, cells.area, region);
     size_like_neighbours(elements.on_boundary, cells, pack.radius);
+    keep_off_centres(pack.centre, pack.radius);
     pack = numbered(pack, region.bounds());
     pack.cell_area = cells_of(pack.centre, pack.radius, region).area;
     return pack;

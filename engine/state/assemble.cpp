@@ -26,16 +26,16 @@ packing::Packing listed(const model::ListedDisks& list) {
     return pack;
 }
 
-packing::Packing packed(const model::Body& body) {
+packing::Packing packed(const model::Body& body, const packing::PackStore* packs) {
     return std::visit(
         [&](const auto& choice) -> packing::Packing {
             using Choice = std::decay_t<decltype(choice)>;
             if constexpr (std::is_same_v<Choice, model::ClosePacking>) {
                 return packing::close_packed(body.region, choice.radius, choice.rows, choice.fit, choice.origin);
             } else if constexpr (std::is_same_v<Choice, model::Consolidation>) {
-                return packing::consolidated(body.region, choice);
+                return packing::kept(packs, body.region, choice, packing::consolidated);
             } else if constexpr (std::is_same_v<Choice, model::Relaxation>) {
-                return packing::relaxed(body.region, choice);
+                return packing::kept(packs, body.region, choice, packing::relaxed);
             } else if constexpr (std::is_same_v<Choice, model::ListedDisks>) {
                 return listed(choice);
             } else {
@@ -226,7 +226,7 @@ PairRule pair_rule(const MaterialFacts& a, const MaterialFacts& b) {
     return rule;
 }
 
-Assembly assemble(const model::Scene& scene) {
+Assembly assemble(const model::Scene& scene, const packing::PackStore* packs) {
     Assembly assembly;
     State& state = assembly.state;
     state.thickness = scene.thickness;
@@ -238,7 +238,7 @@ Assembly assemble(const model::Scene& scene) {
     Index clusters = 0;
     for (std::size_t row = 0; row < scene.bodies.size(); ++row) {
         const model::Body& said = scene.bodies[row];
-        packing::Packing pack = packed(said);
+        packing::Packing pack = packed(said, packs);
         cells.push_back(shared_out(said, pack));
         if (pack.centre.empty()) {
             problems.push_back({said.place, "body.region", '"' + said.name + '"', "is too small for one element",

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/model/scene.hpp"
+#include "engine/packing/pack_store.hpp"
 #include "engine/state/state.hpp"
 
 #include <cstddef>
@@ -17,7 +18,8 @@ struct Assembly {
 
 /// Packs every body, shares out mass, bonds, and lays out walls and materials. Notches, supports and loads are not taken
 /// in here. Throws SceneError naming every body whose region holds no element and every pair of bodies that overlap.
-Assembly assemble(const model::Scene& scene);
+/// Packs come from `packs` if it is given and has them.
+Assembly assemble(const model::Scene& scene, const packing::PackStore* packs = nullptr);
 
 /// Contact law of materials a and b: springs in series, the smaller friction, the mean fraction of critical damping.
 PairRule pair_rule(const MaterialFacts& a, const MaterialFacts& b);
