@@ -2,6 +2,7 @@
 
 #include "scripting/command_line.hpp"
 #include "scripting/run_host.hpp"
+#include "scripting/study_program.hpp"
 
 #include <fmt/format.h>
 
@@ -9,6 +10,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <fstream>
 #include <iterator>
@@ -130,11 +132,23 @@ int do_task(const CommandLine& line, Terminal& terminal) {
     return run(line, terminal);
 }
 
+int study(int argc, const char* const* argv) {
+    const StudyLine line = read_study_line(argc, argv);
+    if (!line.text.empty()) {
+        fmt::print("{}", line.text);
+        return exit_done;
+    }
+    Terminal terminal(line.quiet);
+    listen_to_signals();
+    return run_study(line, terminal, interrupted) ? exit_done : exit_interrupted;
+}
+
 } // namespace
 
 int run_program(int argc, const char* const* argv) {
     Terminal errors(false);
     try {
+        if (argc > 1 && std::strcmp(argv[1], "study") == 0) return study(argc - 1, argv + 1);
         const CommandLine line = read_command_line(argc, argv);
         Terminal terminal(line.quiet);
         return do_task(line, terminal);

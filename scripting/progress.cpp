@@ -12,12 +12,12 @@ namespace {
 
 constexpr std::chrono::milliseconds shortest_pause{100};
 
+} // namespace
+
 std::string bar(double share, int cells) {
     const auto filled = static_cast<std::size_t>(share * cells);
     return std::string(filled, '#') + std::string(static_cast<std::size_t>(cells) - filled, '.');
 }
-
-} // namespace
 
 Progress::Progress(Terminal& terminal, const observe::Simulation& simulation, double duration)
     : terminal_(terminal), duration_(duration), first_time_(simulation.time()), first_step_(simulation.step()),

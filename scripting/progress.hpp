@@ -6,8 +6,12 @@
 
 #include <chrono>
 #include <cstdint>
+#include <string>
 
 namespace demlua::scripting {
+
+/// `share` (0 to 1) of so many cells filled.
+std::string bar(double share, int cells);
 
 class Progress {
 public:

@@ -212,6 +212,7 @@ void RunHost::tell_result(const output::SummaryEnding& ending) {
         for (const auto& line : {fracture_line(*simulation_), results_line(results_)}) {
             if (!line.empty()) terminal_.say(line);
         }
+        for (const auto& each : comparisons_) terminal_.say(comparison_line(each));
     }
     if (writer_->frames() > 0) terminal_.say("open it in ParaView: " + files_to_open());
 }
@@ -230,6 +231,7 @@ output::Summary RunHost::summary(const output::SummaryEnding& ending) const {
     summary.threads = simulation_ ? simulation_->threads() : 0;
     summary.parameters = for_summary(settings_.parameters);
     summary.results = results_;
+    summary.comparisons = comparisons_;
     summary.figures = last_row_;
     summary.frames = writer_->frames();
     summary.timings = {settings_.reading_time, assembly_time_, effort_.wall_time, writer_->busy_time()};

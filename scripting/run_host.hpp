@@ -43,6 +43,7 @@ public:
     void frame() override;
     observe::Simulation* simulation() override { return simulation_.get(); }
     void result(const Result& result) override;
+    void compare(const model::Comparison& comparison) override { comparisons_.push_back(comparison); }
     void print(const std::string& line) override { terminal_.print(line); }
 
     /// Whether a run has begun, and with it the folder.
@@ -70,6 +71,7 @@ private:
     std::unique_ptr<output::Writer> writer_;
     std::string inputs_;
     std::vector<Result> results_;
+    std::vector<model::Comparison> comparisons_;
     observe::HistoryRow last_row_;
     bool row_for_each_frame_ = false;
     std::optional<std::uint64_t> last_row_step_;
