@@ -132,6 +132,11 @@ int do_task(const CommandLine& line, Terminal& terminal) {
     return run(line, terminal);
 }
 
+int exit_code(StudyEnding ending) {
+    if (ending == StudyEnding::failed) return exit_failed;
+    return ending == StudyEnding::interrupted ? exit_interrupted : exit_done;
+}
+
 int study(int argc, const char* const* argv) {
     const StudyLine line = read_study_line(argc, argv);
     if (!line.text.empty()) {
@@ -140,7 +145,7 @@ int study(int argc, const char* const* argv) {
     }
     Terminal terminal(line.quiet);
     listen_to_signals();
-    return run_study(line, terminal, interrupted) ? exit_done : exit_interrupted;
+    return exit_code(run_study(line, terminal, interrupted));
 }
 
 } // namespace

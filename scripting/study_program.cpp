@@ -29,7 +29,7 @@ void open_folder(const fs::path& folder) {
 
 study::Study collected(const StudyPlan& plan, const fs::path& folder) {
     std::vector<study::Run> runs;
-    for (const PlannedRun& each : plan.runs) runs.push_back(read_run(folder / each.folder, plan, each));
+    for (const PlannedRun& each : plan.runs) runs.push_back(finished_run(folder / each.folder, plan, each));
     return study::study_of(plan.question, runs);
 }
 
@@ -50,7 +50,7 @@ void tell(const study::Study& study, const fs::path& folder, Terminal& terminal)
 
 } // namespace
 
-bool run_study(const StudyLine& line, Terminal& terminal, const std::atomic<bool>& interrupted) {
+StudyEnding run_study(const StudyLine& line, Terminal& terminal, const std::atomic<bool>& interrupted) {
     const StudyPlan plan = plan_study(line.scene, line.overrides, line.quick);
     open_folder(line.folder);
     if (line.fresh) {
@@ -58,15 +58,17 @@ bool run_study(const StudyLine& line, Terminal& terminal, const std::atomic<bool
     }
     const StudySettings settings{line.folder, line.jobs, line.threads};
     StudyRunner runner(plan, settings, terminal, interrupted);
-    if (!runner.run()) {
+    const StudyEnding ending = runner.run();
+    if (ending == StudyEnding::failed) terminal.complain(runner.failure());
+    if (ending == StudyEnding::interrupted) {
         terminal.complain(fmt::format("interrupted: {} of {} runs are finished; the same command goes on from there",
                                       runner.finished(), plan.runs.size()));
-        return false;
     }
+    if (ending != StudyEnding::done) return ending;
     const study::Study study = collected(plan, line.folder);
     write_files(study, line.folder);
     tell(study, line.folder, terminal);
-    return true;
+    return ending;
 }
 
 } // namespace demlua::scripting

@@ -1,12 +1,13 @@
 // demlua study: speed against error.
 #pragma once
 
+#include "scripting/script.hpp"
+#include "scripting/study_runner.hpp"
 #include "scripting/terminal.hpp"
 
 #include <atomic>
 #include <filesystem>
-
-#include "scripting/script.hpp"
+#include <string>
 
 namespace demlua::scripting {
 
@@ -26,8 +27,8 @@ struct StudyLine {
 /// Throws SceneError with every problem of the command line; `argv` begins with "study".
 StudyLine read_study_line(int argc, const char* const* argv);
 
-/// Makes the runs and writes study.csv, study.json, study.html, error_size.svg and error_time.svg. Returns false when
-/// interrupted. Throws SceneError for what is wrong with scene or study, RunError when a run fails.
-bool run_study(const StudyLine& line, Terminal& terminal, const std::atomic<bool>& interrupted);
+/// Makes the runs and, when all are done, writes study.csv, study.json, study.html, error_size.svg and error_time.svg. Says
+/// why when it does not come to that. Throws SceneError for what is wrong with scene or study before anything is run.
+StudyEnding run_study(const StudyLine& line, Terminal& terminal, const std::atomic<bool>& interrupted);
 
 } // namespace demlua::scripting

@@ -80,9 +80,8 @@ double stepping_time(const std::filesystem::path& folder) {
     return summary.is_object() ? summary.at("timings").at("running").get<double>() : 0.0;
 }
 
-study::Run read_run(const std::filesystem::path& folder, const StudyPlan& plan, const PlannedRun& planned) {
+study::Run measured(const std::filesystem::path& folder, const StudyPlan& plan, const PlannedRun& planned) {
     const Json summary = summary_in(folder);
-    const Json record = json_in(folder / record_name);
     const Json& results = summary.at("results");
     study::Run run = planned.run;
     run.value = result(results, plan.question.measure, plan, planned, "measure", "");
@@ -93,6 +92,12 @@ study::Run read_run(const std::filesystem::path& folder, const StudyPlan& plan, 
     }
     run.elements = summary.at("elements").get<std::uint64_t>();
     run.steps = summary.at("steps").get<std::uint64_t>();
+    return run;
+}
+
+study::Run finished_run(const std::filesystem::path& folder, const StudyPlan& plan, const PlannedRun& planned) {
+    study::Run run = measured(folder, plan, planned);
+    const Json record = json_in(folder / record_name);
     run.peak_memory = record.at("peak_memory").get<double>();
     if (record.contains("cost")) {
         run.cost = {record["cost"].at("wall_time").get<double>(), record["cost"].at("stepping").get<double>()};

@@ -25,8 +25,11 @@ bool is_finished(const std::filesystem::path& folder, const PlannedRun& planned)
 /// Wall time of the steps of the run in the folder, s.
 double stepping_time(const std::filesystem::path& folder);
 
-/// The finished run in the folder, with what it measured. Throws SceneError when the quantity or the reference is not
-/// among its results or no finite number.
-study::Run read_run(const std::filesystem::path& folder, const StudyPlan& plan, const PlannedRun& planned);
+/// The run whose summary is in the folder, with what it measured. Throws SceneError when the quantity or the reference is
+/// not among its results or no finite number.
+study::Run measured(const std::filesystem::path& folder, const StudyPlan& plan, const PlannedRun& planned);
+
+/// The same of a finished run, with what it took.
+study::Run finished_run(const std::filesystem::path& folder, const StudyPlan& plan, const PlannedRun& planned);
 
 } // namespace demlua::scripting

@@ -1,5 +1,6 @@
 #include "scripting/study_runner.hpp"
 
+#include "engine/base/problems.hpp"
 #include "engine/output/run_folder.hpp"
 #include "scripting/number_text.hpp"
 #include "scripting/progress.hpp"
@@ -66,7 +67,7 @@ StudyRunner::StudyRunner(const StudyPlan& plan, const StudySettings& settings, T
 
 fs::path StudyRunner::folder_of(const PlannedRun& planned) const { return settings_.folder / planned.folder; }
 
-bool StudyRunner::run() {
+StudyEnding StudyRunner::run() {
     for (std::size_t k = plan_.runs.size(); k-- > 0;) {
         if (is_finished(folder_of(plan_.runs[k]), plan_.runs[k])) {
             ++finished_;
@@ -85,9 +86,8 @@ bool StudyRunner::run() {
     for (std::jthread& thread : threads) thread.join();
     tell(lanes);
     terminal_.clear_passing();
-    if (interrupted_) return false;
-    if (!failure_.empty()) throw RunError(failure_);
-    return true;
+    if (interrupted_) return StudyEnding::interrupted;
+    return failure_.empty() ? StudyEnding::done : StudyEnding::failed;
 }
 
 // --- in a lane's own thread ------------------------------------------------------------------------------------------
@@ -105,8 +105,10 @@ void StudyRunner::work(Lane& lane) {
         std::string failed;
         try {
             make(lane, planned);
+        } catch (const SceneError& error) {
+            failed = error.what(); // names the study's own line
         } catch (const std::exception& error) {
-            failed = fmt::format("{}: {}", name_of(planned), error.what());
+            failed = fmt::format("{}: {}: {}", plan_.scene.string(), name_of(planned), error.what());
         }
         lock.lock();
         lane.run.reset();
@@ -131,6 +133,7 @@ void StudyRunner::make(Lane& lane, const PlannedRun& planned) {
         peak_memory = std::max(peak_memory, end.peak_memory);
         if (time == 0 || end.wall_time < best.wall_time) best = {end.wall_time, stepping_time(folder)};
     }
+    measured(folder, plan_, planned);
     write_record(folder, planned, settings_.jobs == 1 ? std::optional(best) : std::nullopt, peak_memory);
 }
 

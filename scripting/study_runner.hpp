@@ -20,15 +20,20 @@ struct StudySettings {
     int threads = 0; ///< of each run; 0: as many as there are processors, shared out among the jobs
 };
 
+enum class StudyEnding { done, failed, interrupted };
+
 class StudyRunner {
 public:
     /// `interrupted` is polled; all references outlive the runner.
     StudyRunner(const StudyPlan& plan, const StudySettings& settings, Terminal& terminal,
                 const std::atomic<bool>& interrupted);
 
-    /// Makes the runs that are not finished yet and tells of each. Returns false when interrupted: what was finished stays.
-    /// Throws RunError with the complaint of the first run that fails; those under way are ended then.
-    bool run();
+    /// Makes the runs that are not finished yet and tells of each. When one fails, or does not bring what is measured,
+    /// those under way are ended. What was finished stays.
+    StudyEnding run();
+
+    /// The complaint of the first run that failed.
+    [[nodiscard]] const std::string& failure() const { return failure_; }
 
     /// How many runs are finished by now.
     [[nodiscard]] std::size_t finished() const { return finished_; }

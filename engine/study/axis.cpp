@@ -34,7 +34,7 @@ Axis axis_over(const std::vector<double>& values) {
     low -= room;
     high += room;
     Axis axis{std::pow(10.0, low), std::pow(10.0, high), {}};
-    const bool wide = high - low >= 2.0;
+    const bool wide = high - low >= 3.0;
     for (double decade = std::floor(low); decade <= high; decade += 1.0) {
         for (int digit = 1; digit <= 9; ++digit) {
             const double value = digit * std::pow(10.0, decade);

@@ -17,7 +17,7 @@ struct Axis {
     std::vector<Tick> ticks;
 };
 
-/// Covers all `values` (positive) with some room at both ends. Labels stand at powers of ten over two decades or more, at
+/// Covers all `values` (positive) with some room at both ends. Labels stand at powers of ten over three decades or more, at
 /// 1, 2, 5 below.
 Axis axis_over(const std::vector<double>& values);
 

@@ -45,13 +45,9 @@ Curve curve_of(const Study& study, const Series& series, const OfLevel& x, const
 }
 
 Line slope_of(const Study& study, const Series& series, std::size_t curve) {
-    const PowerLaw law = *series.slope;
-    const auto at = [&](const Level& level) {
-        return Point{level.size, error_of(study, law.factor * std::pow(level.size, law.exponent))};
-    };
     const std::string of = series.name.empty() ? "" : fmt::format(" ({})", series.name);
-    return {fmt::format("slope {:.2f}{}", law.exponent, of), at(series.levels.front()), at(series.levels.back()),
-            curve};
+    return {fmt::format("slope {:.2f}{}", series.slope->exponent, of), error_of(study, series.slope->factor),
+            series.slope->exponent, curve};
 }
 
 constexpr const char* style =

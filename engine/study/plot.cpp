@@ -129,12 +129,19 @@ std::string drawn(const Curve& curve, std::size_t index, const Frame& frame) {
         path += fmt::format("{:.1f},{:.1f} ", frame.column(point.x), frame.row(point.y));
         marks += mark(frame.column(point.x), frame.row(point.y), 4.5, index);
     }
-    return fmt::format("<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\"/>\n{}", path,
-                       colour_of(index), marks);
+    return fmt::format(
+        "<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\" stroke-opacity=\"0.4\"/>\n{}", path,
+        colour_of(index), marks);
 }
 
 std::string dashed(std::size_t curve) {
-    return fmt::format("stroke=\"{}\" stroke-width=\"1.2\" stroke-dasharray=\"6 4\"", colour_of(curve));
+    return fmt::format("stroke=\"{}\" stroke-width=\"1.4\" stroke-dasharray=\"6 4\"", colour_of(curve));
+}
+
+std::string drawn(const Line& line, const Frame& frame) {
+    const auto y = [&](double x) { return frame.row(line.factor * std::pow(x, line.slope)); };
+    return fmt::format("<g clip-path=\"url(#frame)\">{}</g>\n",
+                       stroke(left, y(frame.x.low), left + frame_width, y(frame.x.high), dashed(line.curve)));
 }
 
 std::string legend(const Plot& plot) {
@@ -199,12 +206,8 @@ std::string svg_of(const Plot& plot) {
     text += axes(plot, frame);
     text += fmt::format("<clipPath id=\"frame\"><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/></clipPath>\n",
                         left, top, frame_width, frame_height);
-    for (const Line& line : plot.lines) {
-        text += fmt::format("<g clip-path=\"url(#frame)\">{}</g>",
-                            stroke(frame.column(line.from.x), frame.row(line.from.y), frame.column(line.to.x),
-                                   frame.row(line.to.y), dashed(line.curve)));
-    }
     for (std::size_t k = 0; k < plot.curves.size(); ++k) text += drawn(plot.curves[k], k, frame);
+    for (const Line& line : plot.lines) text += drawn(line, frame);
     return text + legend(plot) + "</svg>\n";
 }
 

@@ -17,11 +17,11 @@ struct Curve {
     std::vector<Point> single = {}; ///< small marks beside them, such as single runs
 };
 
-/// A dashed line with its own entry in the legend, drawn in the colour of the curve with that index.
+/// y = factor x^slope, dashed across the picture in the colour of the curve with that index.
 struct Line {
-    std::string name;
-    Point from;
-    Point to;
+    std::string name; ///< in the legend
+    double factor = 1.0;
+    double slope = 1.0;
     std::size_t curve = 0;
 };
 

@@ -168,7 +168,7 @@ std::vector<std::string> notes_on(const Study& study) {
          "references differ from level to level: p of three levels and the extrapolated value are those of value over "
          "reference, times the level's own reference");
     note(any_level(study, [](const Level& level) { return !level.wall_time; }),
-         "no times where levels have run side by side");
+         "no times where levels have run side by side; --fresh without --jobs takes them");
     return notes;
 }
 
