@@ -48,7 +48,7 @@ sim:run { duration = 20e-3 }
 
 dem.compare {
   what = "modulus", unit = "Pa", value = early or 0, reference = concrete.youngs_modulus, tolerance = 0.05,
-  because = "the outermost rows stand one radius inside the outline, one part in ten of half the width",
+  because = "the lattice carries the load on fewer rows than its outline is wide: one radius in ten",
   source  = "Tavarez & Plesha 2007, eqs. 13-16",
 }
 dem.compare {

@@ -23,6 +23,7 @@ struct Words {
     std::vector<std::string> set;
     std::string folder;
     std::string threads;
+    std::string progress;
     std::string help_scene;
     bool check = false;
     bool explain = false;
@@ -45,6 +46,8 @@ void declare(CLI::App& app, Words& words) {
     app.add_flag("--check", words.check, "Say whether the scene is right; run nothing");
     app.add_flag("--explain", words.explain, "Assemble the scene and say what a run would do; run nothing");
     app.add_flag("--quiet", words.quiet, "Show only errors and what the scene prints");
+    app.add_option("--progress", words.progress, "Keep the simulated time reached, in s, in this file")
+        ->type_name("FILE");
     app.add_flag("--overwrite", words.overwrite, "Replace the run that the folder holds");
     app.add_flag("--version", words.version, "Print the version");
     app.add_option("--help-scene", words.help_scene, "Print the words of the scene language, or one of them")
@@ -83,6 +86,7 @@ CommandLine meaning(const CLI::App& app, const Words& words) {
     line.scene = words.scene;
     line.folder =
         !words.folder.empty() ? std::filesystem::path(words.folder) : line.scene.filename().replace_extension(".out");
+    line.progress = words.progress;
     line.quiet = words.quiet;
     line.overwrite = words.overwrite;
     return line;

@@ -84,7 +84,8 @@ RunSettings settings_for(const CommandLine& line) {
                          text_of_file(line.scene),
                          {},
                          line.threads,
-                         0.0};
+                         0.0,
+                         line.progress};
     std::vector<Problem> problems;
     auto scene = collecting(problems, [&] { return check_scene(line.scene, line.overrides); });
     if (!scene || !scene->runs.empty()) {

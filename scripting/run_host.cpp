@@ -137,6 +137,7 @@ std::vector<observe::Watcher> RunHost::watchers(const RunRequest& request, Progr
     add_watchers(all, intervals_of(request.histories), request, now, [this, &request] { take_row(request.histories); });
     add_watchers(all, request.frames.empty() ? at_ends : request.frames, request, now, [this] { frame(); });
     if (terminal_.interactive()) all.push_back(progress.watcher());
+    if (!settings_.progress.empty()) all.push_back(time_teller(settings_.progress));
     // Last, so that an instant is written as it was before the scene changes it or fails.
     all.insert(all.end(), request.callbacks.begin(), request.callbacks.end());
     return all;

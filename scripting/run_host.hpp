@@ -11,6 +11,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,8 +25,9 @@ struct RunSettings {
     std::string scene_file;
     std::string scene_text;
     std::vector<Parameter> parameters;
-    int threads = 0;           ///< 0: as many as there are processors and work for
-    double reading_time = 0.0; ///< s
+    int threads = 0;                     ///< 0: as many as there are processors and work for
+    double reading_time = 0.0;           ///< s
+    std::filesystem::path progress = {}; ///< file that tells the time reached; empty for none
 };
 
 class RunHost : public Host {

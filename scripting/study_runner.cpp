@@ -23,6 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* complaints_name = "study_run.err";
+constexpr const char* progress_name = "study_run.time";
 constexpr std::chrono::milliseconds glance{50};
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
@@ -46,17 +47,11 @@ std::string complaint(const fs::path& folder, int code) {
     return text.empty() ? fmt::format("exit code {}", code) : text;
 }
 
-/// The first number of the last whole line of a history: the time reached. 0 while there is none.
-double time_reached(const fs::path& history) {
-    constexpr std::streamoff tail = 4096;
-    std::ifstream stream(history, std::ios::binary | std::ios::ate);
-    if (!stream) return 0.0;
-    const std::streamoff size = stream.tellg();
-    stream.seekg(std::max<std::streamoff>(0, size - tail));
-    const std::string text{std::istreambuf_iterator<char>(stream), {}};
-    const std::size_t end = text.rfind('\n');
-    const std::size_t begin = end == std::string::npos || end == 0 ? std::string::npos : text.rfind('\n', end - 1);
-    return begin == std::string::npos ? 0.0 : std::strtod(text.c_str() + begin + 1, nullptr);
+/// Simulated time that the run in the folder has reached, s. 0 while it has not begun.
+double time_reached(const fs::path& folder) {
+    double time = 0.0;
+    std::ifstream(folder / progress_name) >> time;
+    return time;
 }
 
 } // namespace
@@ -81,6 +76,7 @@ StudyEnding StudyRunner::run() {
     std::vector<Lane> lanes(std::min(waiting_.size(), static_cast<std::size_t>(settings_.jobs)));
     working_ = lanes.size();
     std::vector<std::jthread> threads;
+    threads.reserve(lanes.size());
     for (Lane& lane : lanes) threads.emplace_back([this, &lane] { work(lane); });
     watch(lanes);
     for (std::jthread& thread : threads) thread.join();
@@ -145,6 +141,7 @@ ChildEnd StudyRunner::make_once(Lane& lane, const PlannedRun& planned) {
     if (!fs::exists(folder / output::names::summary))
         throw RunError("the scene ran nothing, so there is nothing to measure");
     std::error_code ignored;
+    fs::remove(folder / progress_name, ignored);
     if (fs::file_size(folder / complaints_name, ignored) == 0) fs::remove(folder / complaints_name, ignored);
     return end;
 }
@@ -153,7 +150,11 @@ std::vector<std::string> StudyRunner::arguments_for(const PlannedRun& planned) c
     std::vector<std::string> words{plan_.scene.string(), "--quiet", "--overwrite", "-o", folder_of(planned).string()};
     for (const auto& [name, value] : planned.overrides) {
         words.emplace_back("--set");
-        words.push_back(name + "=" + value);
+        words.push_back(fmt::format("{}={}", name, value));
+    }
+    if (terminal_.interactive()) {
+        words.emplace_back("--progress");
+        words.push_back((folder_of(planned) / progress_name).string());
     }
     int threads = settings_.threads;
     if (threads == 0 && settings_.jobs > 1) {
@@ -196,7 +197,7 @@ void StudyRunner::tell(std::vector<Lane>& lanes) {
 std::string StudyRunner::passing_line(const Lane& lane) const {
     const PlannedRun& planned = plan_.runs[*lane.run];
     const double wall = now() - lane.begin;
-    const double reached = time_reached(folder_of(planned) / output::names::history);
+    const double reached = time_reached(folder_of(planned));
     const double share = planned.duration > 0.0 ? std::clamp(reached / planned.duration, 0.0, 1.0) : 0.0;
     const auto whole = static_cast<double>(plan_.runs.size());
     std::string figures = fmt::format(" {} of {}  {}  {:.0f} %  {}", finished_ + 1, plan_.runs.size(), name_of(planned),

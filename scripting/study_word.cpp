@@ -94,9 +94,9 @@ void read_seeds(const Call& call, StudyDeclaration& study) {
         if (!whole(count) || count < 1.0 || count > most_seeds) {
             refuse(call, "study.seeds", -1, fmt::format("must be a whole number from 1 to {}", most_seeds));
         } else {
-            for (double k = 1.0; k <= count; k += 1.0) {
+            for (int k = 1; k <= static_cast<int>(count); ++k) {
                 Plain& seed = study.seeds.emplace_back();
-                seed.value = k;
+                seed.value = static_cast<double>(k);
                 seed.integer = true;
             }
         }

@@ -35,7 +35,8 @@ Axis axis_over(const std::vector<double>& values) {
     high += room;
     Axis axis{std::pow(10.0, low), std::pow(10.0, high), {}};
     const bool wide = high - low >= 3.0;
-    for (double decade = std::floor(low); decade <= high; decade += 1.0) {
+    const int last = static_cast<int>(std::floor(high));
+    for (int decade = static_cast<int>(std::floor(low)); decade <= last; ++decade) {
         for (int digit = 1; digit <= 9; ++digit) {
             const double value = digit * std::pow(10.0, decade);
             if (value < axis.low || value > axis.high) continue;

@@ -73,6 +73,12 @@ std::vector<Column> columns_of(const Question& question) {
     };
 }
 
+std::string quoted(const std::string& text) {
+    std::string made = "\"";
+    for (const char c : text) made += c == '"' ? "\"\"" : std::string(1, c);
+    return made + "\"";
+}
+
 } // namespace
 
 Table table_of(const Study& study) {
@@ -118,12 +124,12 @@ std::string csv_of(const Study& study) {
     for (const Series& series : study.series) {
         for (const Level& level : series.levels) {
             const Run& run = level.runs.front();
-            text +=
-                fmt::format("\"{}\",{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", series.name, number(level.size),
-                            level.runs.size(), run.elements, run.steps, number(level.value), number(level.scatter),
-                            number(level.reference), number(level.error), number(level.error_scatter),
-                            number(level.order_of_error), number(level.order), number(level.extrapolated),
-                            number(level.wall_time), number(level.cost), number(level.peak_memory));
+            text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", quoted(series.name),
+                                number(level.size), level.runs.size(), run.elements, run.steps, number(level.value),
+                                number(level.scatter), number(level.reference), number(level.error),
+                                number(level.error_scatter), number(level.order_of_error), number(level.order),
+                                number(level.extrapolated), number(level.wall_time), number(level.cost),
+                                number(level.peak_memory));
         }
     }
     return text;
