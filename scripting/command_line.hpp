@@ -20,8 +20,9 @@ struct CommandLine {
     std::string text;
     std::filesystem::path scene;
     Overrides overrides;
-    std::filesystem::path folder; ///< where the run goes: -o, else the scene's name with .out
-    int threads = 0;              ///< 0: as many as there are processors and work for
+    std::filesystem::path folder;   ///< where the run goes: -o, else the scene's name with .out
+    int threads = 0;                ///< 0: as many as there are processors and work for
+    std::filesystem::path progress; ///< file that tells the time reached; empty for none
     bool quiet = false;
     bool overwrite = false;
 };

@@ -67,7 +67,8 @@ std::string text_of_file(const std::filesystem::path& path) {
 } // namespace
 
 void Context::run_file(const std::filesystem::path& name, const std::map<std::string, Plain>& values) {
-    interpreter->load(interpreter->L, text_of_file(name), name.string());
+    files.push_back({name, text_of_file(name)});
+    interpreter->load(interpreter->L, files.back().text, name.string());
     inclusions.push_back({name, values});
     interpreter->call(interpreter->L, 0, 0);
     inclusions.pop_back();

@@ -5,7 +5,9 @@
 #include "scripting/host.hpp"
 #include "scripting/lua.hpp"
 #include "scripting/objects.hpp"
+#include "scripting/plain.hpp"
 #include "scripting/script.hpp"
+#include "scripting/study_declaration.hpp"
 
 #include <cstddef>
 #include <exception>
@@ -13,6 +15,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -50,12 +53,6 @@ struct Periodic {
     Function act;
 };
 
-/// A number, truth or text, remembering whether Lua counts the number as an integer.
-struct Plain {
-    std::variant<double, bool, std::string> value;
-    bool integer = false;
-};
-
 /// A file being read, with what the file that includes it wants its parameters to be.
 struct Inclusion {
     std::filesystem::path file;
@@ -85,6 +82,9 @@ struct Context {
     std::vector<History> histories;
     std::vector<Periodic> periodics;
     std::vector<Function> functions; ///< what model::Callback::key counts from one
+    std::optional<StudyDeclaration> study;
+    StudyFunctions study_functions;
+    std::vector<std::string> result_names; ///< published so far
     std::vector<Problem> problems;
     std::size_t complaints = 0;                   ///< problems seen, those not kept included
     std::set<std::pair<std::string, int>> blamed; ///< places of problems found while reading
@@ -92,6 +92,8 @@ struct Context {
     // --- where the reading stands ----------------------------------------------------------------------------------
     Overrides overrides;
     std::vector<Inclusion> inclusions;  ///< files being read, the innermost last
+    bool read_to_end = false;           ///< nothing stopped the script
+    std::vector<SourceFile> files;      ///< read so far, the scene's own first
     std::vector<Place> open_inclusions; ///< dem.include "file" not yet followed by its table
     std::exception_ptr fatal;           ///< ends the reading even if the user's code catches it
 

@@ -1,6 +1,7 @@
 // What a running script asks of the program around it, so that reading a scene knows nothing of files or terminals.
 #pragma once
 
+#include "engine/model/comparison.hpp"
 #include "engine/model/scene.hpp"
 #include "engine/observe/simulation.hpp"
 #include "scripting/interval.hpp"
@@ -56,6 +57,8 @@ public:
     /// The simulation once it has been assembled, else null.
     virtual observe::Simulation* simulation() = 0;
     virtual void result(const Result& result) = 0;
+    /// A value beside what it should be, from dem.compare.
+    virtual void compare(const model::Comparison& /*comparison*/) {}
     /// What the script prints.
     virtual void print(const std::string& line) = 0;
 };

@@ -1,4 +1,4 @@
-// dem.param, dem.result and dem.include: what goes into a scene and comes out of it beside the model.
+// dem.param, dem.result, dem.compare and dem.include: what goes into a scene and comes out of it beside the model.
 #include "scripting/parameters.hpp"
 #include "engine/model/check.hpp"
 #include "engine/model/settings.hpp"
@@ -16,39 +16,6 @@ namespace demlua::scripting {
 using model::did_you_mean;
 
 namespace {
-
-std::optional<Plain> plain_at(lua_State* L, int index) {
-    switch (lua_type(L, index)) {
-    case LUA_TNUMBER:
-        return Plain{lua_tonumber(L, index), lua_isinteger(L, index) != 0};
-    case LUA_TBOOLEAN:
-        return Plain{lua_toboolean(L, index) != 0, false};
-    case LUA_TSTRING:
-        return Plain{std::string(lua_tostring(L, index)), false};
-    default:
-        return std::nullopt;
-    }
-}
-
-void push_plain(lua_State* L, const Plain& plain) {
-    if (const auto* number = std::get_if<double>(&plain.value)) {
-        plain.integer ? lua_pushinteger(L, static_cast<lua_Integer>(*number)) : lua_pushnumber(L, *number);
-    } else if (const auto* truth = std::get_if<bool>(&plain.value)) {
-        lua_pushboolean(L, *truth ? 1 : 0);
-    } else {
-        lua_pushstring(L, std::get<std::string>(plain.value).c_str());
-    }
-}
-
-bool finite(const Plain& plain) {
-    const auto* number = std::get_if<double>(&plain.value);
-    return number == nullptr || std::isfinite(*number);
-}
-
-const char* kind_of(const Plain& plain) {
-    constexpr const char* kinds[] = {"a number", "true or false", "a text"};
-    return kinds[plain.value.index()];
-}
 
 /// A text from the command line as a value of the same kind as `like`, if it can be one.
 std::optional<Plain> from_text(lua_State* L, const std::string& text, const Plain& like) {
@@ -190,6 +157,7 @@ int result(lua_State* L) {
     model::Nothing nothing;
     if (!read(call, 1, model::words::result(), nothing)) return 0;
     for (const std::string& name : string_keys(L, 1)) {
+        call.context.result_names.push_back(name);
         lua_pushstring(L, name.c_str());
         lua_rawget(L, 1);
         const std::optional<Plain> value = plain_at(L, -1);
@@ -201,6 +169,14 @@ int result(lua_State* L) {
         }
         lua_pop(L, 1);
     }
+    return 0;
+}
+
+int compare(lua_State* L) {
+    model::Comparison comparison;
+    const Call call(L, "compare");
+    const bool good = read(call, 1, model::words::compare(), comparison);
+    if (good && call.context.simulates()) call.context.host->compare(comparison);
     return 0;
 }
 
@@ -281,6 +257,8 @@ void add_parameters(lua_State* L) {
     lua_setfield(L, -2, "param");
     lua_pushcfunction(L, guarded<result>);
     lua_setfield(L, -2, "result");
+    lua_pushcfunction(L, guarded<compare>);
+    lua_setfield(L, -2, "compare");
     lua_pushcfunction(L, guarded<include>);
     lua_setfield(L, -2, "include");
 }

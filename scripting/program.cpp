@@ -3,6 +3,7 @@
 #include "scripting/command_line.hpp"
 #include "scripting/kept_packs.hpp"
 #include "scripting/run_host.hpp"
+#include "scripting/study_program.hpp"
 
 #include <fmt/format.h>
 
@@ -10,6 +11,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <fstream>
 #include <iterator>
@@ -84,7 +86,8 @@ RunSettings settings_for(const CommandLine& line) {
                          {},
                          line.threads,
                          0.0,
-                         kept_packs()};
+                         kept_packs(),
+                         line.progress};
     std::vector<Problem> problems;
     auto scene = collecting(problems, [&] { return check_scene(line.scene, line.overrides); });
     if (!scene || !scene->runs.empty()) {
@@ -132,11 +135,28 @@ int do_task(const CommandLine& line, Terminal& terminal) {
     return run(line, terminal);
 }
 
+int exit_code(StudyEnding ending) {
+    if (ending == StudyEnding::failed) return exit_failed;
+    return ending == StudyEnding::interrupted ? exit_interrupted : exit_done;
+}
+
+int study(int argc, const char* const* argv) {
+    const StudyLine line = read_study_line(argc, argv);
+    if (!line.text.empty()) {
+        fmt::print("{}", line.text);
+        return exit_done;
+    }
+    Terminal terminal(line.quiet);
+    listen_to_signals();
+    return exit_code(run_study(line, terminal, interrupted));
+}
+
 } // namespace
 
 int run_program(int argc, const char* const* argv) {
     Terminal errors(false);
     try {
+        if (argc > 1 && std::strcmp(argv[1], "study") == 0) return study(argc - 1, argv + 1);
         const CommandLine line = read_command_line(argc, argv);
         Terminal terminal(line.quiet);
         return do_task(line, terminal);

@@ -1,5 +1,6 @@
 #include "scripting/progress.hpp"
 
+#include "engine/output/whole_file.hpp"
 #include "scripting/number_text.hpp"
 
 #include <fmt/format.h>
@@ -12,12 +13,21 @@ namespace {
 
 constexpr std::chrono::milliseconds shortest_pause{100};
 
+} // namespace
+
 std::string bar(double share, int cells) {
     const auto filled = static_cast<std::size_t>(share * cells);
     return std::string(filled, '#') + std::string(static_cast<std::size_t>(cells) - filled, '.');
 }
 
-} // namespace
+observe::Watcher time_teller(const std::filesystem::path& file) {
+    using Clock = std::chrono::steady_clock;
+    return {0.0, [file, next = Clock::now()](const observe::Simulation& simulation) mutable {
+                if (Clock::now() < next) return;
+                next = Clock::now() + shortest_pause;
+                output::replace_file(file, fmt::format("{}\n", simulation.time()));
+            }};
+}
 
 Progress::Progress(Terminal& terminal, const observe::Simulation& simulation, double duration)
     : terminal_(terminal), duration_(duration), first_time_(simulation.time()), first_step_(simulation.step()),

@@ -6,8 +6,16 @@
 
 #include <chrono>
 #include <cstdint>
+#include <filesystem>
+#include <string>
 
 namespace demlua::scripting {
+
+/// `share` (0 to 1) of so many cells filled.
+std::string bar(double share, int cells);
+
+/// Keeps the simulated time reached, s, in `file`, written anew now and then.
+observe::Watcher time_teller(const std::filesystem::path& file);
 
 class Progress {
 public:

@@ -193,6 +193,7 @@ struct Filler {
         if (found == choice.names->end()) return value.wrong_type(slot);
         choice.set(choice.value, static_cast<std::size_t>(found - choice.names->begin()));
     }
+    void operator()(const OwnSlot& /*read by the word*/) const {}
     void operator()(Callback* into) const {
         if (lua_type(L(), index()) != LUA_TFUNCTION) return value.wrong_type(slot);
         value.call.context.functions.emplace_back(L(), index());

@@ -136,6 +136,13 @@ add up.
 **Including**: `dem.include "other.lua" { speed = 20 }` runs another scene, whose path is taken from the file's own folder,
 with other defaults for its parameters.
 
+**Studies**: `dem.study` says which parameters `demlua study FILE.lua` varies, which result it measures and what that should
+be. Each combination is a run of its own with its own folder below `FILE.study`. The varied number (or the one that `size`
+names) makes the levels, coarse to fine, other varied parameters make series, and seeds give mean and scatter. The order p
+of three levels with values f1, f2, f3 at sizes h1 > h2 > h3 solves (f1 - f2)/(f2 - f3) = (h1^p - h2^p)/(h2^p - h3^p); for a
+constant ratio that is eq. 20 of Tavarez & Plesha (2007), and the value at size zero is then their eq. 38. Functions given as
+`reference`, `size` or `tolerance` are asked with a table of the parameters of each run.
+
 )";
 
 } // namespace

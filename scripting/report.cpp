@@ -1,5 +1,6 @@
 #include "scripting/report.hpp"
 
+#include "engine/study/convergence.hpp"
 #include "scripting/number_text.hpp"
 
 #include <fmt/format.h>
@@ -102,6 +103,19 @@ std::string results_line(const std::vector<Result>& results) {
     for (const auto& [name, value] : results) {
         line += fmt::format("{}{} = {}", line.empty() ? "results: " : ", ", name, text_of(value));
     }
+    return line;
+}
+
+std::string comparison_line(const model::Comparison& comparison) {
+    const std::string unit = comparison.unit.empty() ? "" : " " + comparison.unit;
+    const auto error_text = [&](const char* format, double error) {
+        return comparison.reference == 0.0 ? fmt::format(fmt::runtime(format), error) + unit
+                                           : fmt::format(fmt::runtime(format), 100.0 * error) + " %";
+    };
+    std::string line = fmt::format(
+        "{}: {:.6g}{}, expected {:.6g}{}: {}", comparison.what, comparison.value, unit, comparison.reference, unit,
+        error_text("{:+.3g}", study::relative_error(comparison.value, comparison.reference)));
+    if (comparison.tolerance) line += ", tolerance " + error_text("{:.3g}", *comparison.tolerance);
     return line;
 }
 

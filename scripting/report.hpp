@@ -39,4 +39,7 @@ std::string fracture_line(const observe::Simulation& simulation);
 /// "results: name = value, ..."; empty when there are none.
 std::string results_line(const std::vector<Result>& results);
 
+/// "period: 0.12 s, expected 0.1201 s: -0.08 %, tolerance 0.2 %".
+std::string comparison_line(const model::Comparison& comparison);
+
 } // namespace demlua::scripting

@@ -137,6 +137,7 @@ std::vector<observe::Watcher> RunHost::watchers(const RunRequest& request, Progr
     add_watchers(all, intervals_of(request.histories), request, now, [this, &request] { take_row(request.histories); });
     add_watchers(all, request.frames.empty() ? at_ends : request.frames, request, now, [this] { frame(); });
     if (terminal_.interactive()) all.push_back(progress.watcher());
+    if (!settings_.progress.empty()) all.push_back(time_teller(settings_.progress));
     // Last, so that an instant is written as it was before the scene changes it or fails.
     all.insert(all.end(), request.callbacks.begin(), request.callbacks.end());
     return all;
@@ -212,6 +213,7 @@ void RunHost::tell_result(const output::SummaryEnding& ending) {
         for (const auto& line : {fracture_line(*simulation_), results_line(results_)}) {
             if (!line.empty()) terminal_.say(line);
         }
+        for (const auto& each : comparisons_) terminal_.say(comparison_line(each));
     }
     if (writer_->frames() > 0) terminal_.say("open it in ParaView: " + files_to_open());
 }
@@ -230,6 +232,7 @@ output::Summary RunHost::summary(const output::SummaryEnding& ending) const {
     summary.threads = simulation_ ? simulation_->threads() : 0;
     summary.parameters = for_summary(settings_.parameters);
     summary.results = results_;
+    summary.comparisons = comparisons_;
     summary.figures = last_row_;
     summary.frames = writer_->frames();
     summary.timings = {settings_.reading_time, assembly_time_, effort_.wall_time, writer_->busy_time()};

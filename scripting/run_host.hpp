@@ -11,6 +11,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,6 +28,7 @@ struct RunSettings {
     int threads = 0;                                           ///< 0: as many as there are processors and work for
     double reading_time = 0.0;                                 ///< s
     std::shared_ptr<const packing::PackStore> packs = nullptr; ///< kept from run to run, or none
+    std::filesystem::path progress = {}; ///< file that tells the time reached; empty for none
 };
 
 class RunHost : public Host {
@@ -44,6 +46,7 @@ public:
     void frame() override;
     observe::Simulation* simulation() override { return simulation_.get(); }
     void result(const Result& result) override;
+    void compare(const model::Comparison& comparison) override { comparisons_.push_back(comparison); }
     void print(const std::string& line) override { terminal_.print(line); }
 
     /// Whether a run has begun, and with it the folder.
@@ -71,6 +74,7 @@ private:
     std::unique_ptr<output::Writer> writer_;
     std::string inputs_;
     std::vector<Result> results_;
+    std::vector<model::Comparison> comparisons_;
     observe::HistoryRow last_row_;
     bool row_for_each_frame_ = false;
     std::optional<std::uint64_t> last_row_step_;

@@ -90,6 +90,7 @@ void open_sandbox(lua_State* L) {
     add_handles(L);
     add_now(L);
     add_parameters(L);
+    add_study(L);
     make_strict(L, "word of dem");
     lua_setfield(L, LUA_REGISTRYINDEX, module_key);
 

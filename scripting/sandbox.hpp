@@ -13,6 +13,7 @@ void add_values(lua_State* L);     ///< materials, regions, packings, bond laws,
 void add_simulation(lua_State* L); ///< dem.simulation and the words said to it
 void add_handles(lua_State* L);    ///< what bodies, sides, walls, loads and materials answer
 void add_now(lua_State* L);        ///< readings
-void add_parameters(lua_State* L); ///< param, result, include
+void add_parameters(lua_State* L); ///< param, result, compare, include
+void add_study(lua_State* L);      ///< study
 
 } // namespace demlua::scripting

@@ -2,6 +2,7 @@
 
 #include "scripting/context.hpp"
 #include "scripting/parameters.hpp"
+#include "scripting/study_word.hpp"
 
 #include <utility>
 
@@ -16,6 +17,7 @@ void read_to_the_end(Context& context, const std::filesystem::path& file) {
         try {
             context.run_file(file, {});
             complain_of_leftovers(context);
+            context.read_to_end = true;
         } catch (const SceneError&) {
             if (!context.fatal) throw;
             std::rethrow_exception(context.fatal); // what stopped an included file, rather than its echo in this one
@@ -23,6 +25,7 @@ void read_to_the_end(Context& context, const std::filesystem::path& file) {
     } catch (const SceneError& error) {
         for (const Problem& problem : error.problems()) context.complain(problem, Cause::value);
     }
+    if (context.problems.empty()) finish_study(context);
 }
 
 } // namespace
@@ -38,7 +41,12 @@ SceneSummary check_scene(const std::filesystem::path& file, const Overrides& ove
         context.scene_at_first_run = context.scene;
     }
     context.throw_problems();
-    return {std::move(context.scene_at_first_run), std::move(context.parameters), std::move(context.runs)};
+    return {std::move(context.scene_at_first_run),
+            std::move(context.parameters),
+            std::move(context.runs),
+            std::move(context.files),
+            std::move(context.study),
+            context.read_to_end};
 }
 
 void run_scene(const std::filesystem::path& file, const Overrides& overrides, Host& host) {

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "scripting/host.hpp"
+#include "scripting/study_declaration.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,11 +15,19 @@ namespace demlua::scripting {
 /// `--set name=value`, in the order given.
 using Overrides = std::vector<std::pair<std::string, std::string>>;
 
+struct SourceFile {
+    std::filesystem::path path;
+    std::string text;
+};
+
 /// What a scene turned out to be when only read.
 struct SceneSummary {
     model::Scene scene; ///< as it stands at the first run (or at the end of a file without one)
     std::vector<Parameter> parameters;
-    std::vector<RunRequest> runs; ///< without their functions
+    std::vector<RunRequest> runs;  ///< without their functions
+    std::vector<SourceFile> files; ///< the scene's own and those it includes
+    std::optional<StudyDeclaration> study;
+    bool read_to_end = false; ///< false: a line asked for results that only a run brings, and those after it are unread
 };
 
 /// Reads a scene without running it and checks all that can be checked without packing it. Throws SceneError with every

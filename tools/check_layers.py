@@ -15,8 +15,8 @@ import sys
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 
 # From the bottom up, as in engine/CMakeLists.txt.
-ORDER = ["base", "law", "model", "packing", "bonding", "state", "step", "observe", "output", "scripting"]
-LIMITS = {"law": {"base"}}
+ORDER = ["base", "law", "model", "packing", "bonding", "state", "step", "observe", "output", "study", "scripting"]
+LIMITS = {"law": {"base"}, "study": {"base"}}
 GENERATED = {"demlua/version.hpp": "base"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')

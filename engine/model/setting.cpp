@@ -59,6 +59,7 @@ Kind kind(const Selection* /*v*/) {
 }
 Kind kind(const MaterialSlot& /*v*/) { return {"a material made with dem.material", "dem.material_handle"}; }
 Kind kind(const BodySlot& /*v*/) { return {"a body made with sim:body", "dem.body"}; }
+Kind kind(const OwnSlot& own) { return {own.words, own.lua}; }
 Kind kind(const Callback* /*v*/) { return {"a function", "fun(now: dem.now)"}; }
 Kind kind(const ChoiceSlot& choice) {
     Kind made;

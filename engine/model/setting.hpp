@@ -51,11 +51,17 @@ struct ChoiceSlot {
     void (*set)(void*, std::size_t);
 };
 
+/// A value of several kinds that the word reads by itself; what it may be, in words.
+struct OwnSlot {
+    const char* words;
+    const char* lua;
+};
+
 /// Where a value goes; which alternative it is says what the value may be.
 using Slot = std::variant<double*, std::optional<double>*, bool*, int*, std::uint64_t*, std::string*, Vec2*,
                           std::optional<Vec2>*, Signal*, std::optional<Signal>*, SignalPairSlot, std::vector<Vec2>*,
                           std::vector<Disk>*, Region*, Spacing*, PackingChoice*, BondChoice*, Selection*, WithinSlot,
-                          WhereSlot, MaterialSlot, BodySlot, ChoiceSlot, Callback*>;
+                          WhereSlot, MaterialSlot, BodySlot, ChoiceSlot, OwnSlot, Callback*>;
 
 /// What a slot takes, in words for people and for lua-language-server.
 struct Kind {

@@ -2,6 +2,7 @@
 // table there, an entry in all_words() and the few lines in scripting/ that say what the call does.
 #pragma once
 
+#include "engine/model/comparison.hpp"
 #include "engine/model/setting.hpp"
 
 #include <vector>
@@ -59,6 +60,15 @@ struct RunSaid {
     double duration = 0.0;
 };
 struct Nothing {};
+/// What a study measures; the settings that may be of several kinds are read by the word itself.
+struct StudySaid {
+    std::string measure;
+    std::string unit;
+    std::string source;
+    std::string because;
+    std::uint64_t repeats = 1;
+    std::optional<Vec2> order;
+};
 
 // --- the words -------------------------------------------------------------------------------------------------------
 
@@ -101,6 +111,8 @@ const WordOf<EverySaid>& every();
 const WordOf<RunSaid>& run();
 const WordOf<Nothing>& param();
 const WordOf<Nothing>& result();
+const WordOf<Comparison>& compare();
+const WordOf<StudySaid>& study();
 
 } // namespace words
 

@@ -213,7 +213,8 @@ const std::vector<const Word*>& all_words() {
         &words::set_velocity(), &words::fix(),          &words::move(),         &words::force(),
         &words::traction(),     &words::ramp(),         &words::wall(),         &words::wall_move(),
         &words::notch(),        &words::damping(),      &words::probe(),        &words::history(),
-        &words::output(),       &words::every(),        &words::run(),          &words::result()};
+        &words::output(),       &words::every(),        &words::run(),          &words::result(),
+        &words::compare(),      &words::study()};
     return words;
 }
 

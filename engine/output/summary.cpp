@@ -44,6 +44,20 @@ Json pairs_json(const Pairs& pairs) {
     return json;
 }
 
+Json comparisons_json(const std::vector<model::Comparison>& comparisons) {
+    Json json = Json::array();
+    for (const auto& each : comparisons) {
+        json.push_back({{"what", each.what},
+                        {"unit", each.unit},
+                        {"value", each.value},
+                        {"reference", each.reference},
+                        {"tolerance", each.tolerance ? Json(*each.tolerance) : Json(nullptr)},
+                        {"because", each.because},
+                        {"source", each.source}});
+    }
+    return json;
+}
+
 Json versions_json() {
     return {{"demlua", version},
             {"revision", revision},
@@ -72,6 +86,7 @@ std::string summary_json(const Summary& summary, const observe::Simulation& simu
     json["steps"] = simulation.step();
     json["time_step"] = {{"seconds", simulation.time_step()}, {"reason", simulation.time_step_reason()}};
     json["results"] = pairs_json(summary.results);
+    if (!summary.comparisons.empty()) json["comparisons"] = comparisons_json(summary.comparisons);
     json["figures"] = pairs_json(summary.figures);
     json["hash"] = fmt::format("{:016x}", simulation.hash());
     json["parameters"] = parameters_json(summary.parameters);

@@ -1,6 +1,7 @@
 // What a run was and what came of it, as JSON for scripts that compare runs.
 #pragma once
 
+#include "engine/model/comparison.hpp"
 #include "engine/model/scene.hpp"
 #include "engine/observe/simulation.hpp"
 
@@ -44,6 +45,7 @@ struct Summary {
     int threads = 1;
     std::vector<SummaryParameter> parameters;
     std::vector<std::pair<std::string, Value>> results;
+    std::vector<model::Comparison> comparisons;
     observe::HistoryRow figures; ///< the last row of the history
     std::size_t frames = 0;
     SummaryTimings timings;
