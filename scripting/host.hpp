@@ -7,6 +7,7 @@
 #include "scripting/interval.hpp"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -29,10 +30,11 @@ struct HistoryRequest {
     std::vector<std::pair<std::string, std::function<double(observe::Simulation&)>>> columns;
 };
 
-/// One call of sim:run.
+/// One call of sim:run, or of sim:solve_static.
 struct RunRequest {
-    double duration = 0.0;              ///< s
-    std::vector<SharedInterval> frames; ///< one entry per sim:output in force
+    double duration = 0.0;                  ///< s
+    std::optional<model::StaticSolve> rest; ///< then no time passes but that of one step
+    std::vector<SharedInterval> frames;     ///< one entry per sim:output in force
     std::vector<HistoryRequest> histories;
     std::vector<observe::Watcher> callbacks;
     Place place;

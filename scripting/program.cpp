@@ -73,7 +73,9 @@ int explain(const CommandLine& line, Terminal& terminal) {
     const SceneSummary scene = check_scene(line.scene, line.overrides);
     const observe::Simulation simulation(scene.scene, line.threads, kept_packs().get());
     for (const auto& fact : scene_facts(scene.scene, simulation)) terminal.say(fact);
-    for (const auto& run : scene.runs) terminal.say(run_outlook(simulation, run.duration));
+    for (const auto& run : scene.runs) {
+        if (!run.rest) terminal.say(run_outlook(simulation, run.duration));
+    }
     return exit_done;
 }
 

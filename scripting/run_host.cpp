@@ -98,11 +98,14 @@ observe::RunReport RunHost::run(const model::Scene& scene, const RunRequest& req
     {
         const EffortMeter meter(effort_, *simulation_);
         Progress progress(terminal_, *simulation_, request.duration);
-        last_report_ = simulation_->run(request.duration, watchers(request, progress), &interrupted_);
+        const std::vector<observe::Watcher> looking = watchers(request, progress);
+        last_report_ = request.rest ? simulation_->solve_static(*request.rest, looking)
+                                    : simulation_->run(request.duration, looking, &interrupted_);
     }
     // The end of a run is always shown, also one that came early.
     take_row(request.histories);
     take_frame();
+    if (request.rest) terminal_.say(simulation_->notes().back());
     return last_report_;
 }
 
@@ -113,7 +116,7 @@ void RunHost::begin_run(const model::Scene& scene, const RunRequest& request) {
         simulation_->take_in(scene);
         inputs_ = output::inputs_json(scene, *simulation_);
     }
-    terminal_.say(run_outlook(*simulation_, request.duration));
+    if (!request.rest) terminal_.say(run_outlook(*simulation_, request.duration));
 }
 
 void RunHost::start(const model::Scene& scene) {

@@ -3,6 +3,7 @@
 #include "scripting/read.hpp"
 #include "scripting/signals.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace demlua::scripting {
@@ -63,8 +64,9 @@ HistoryRequest request_of(Context& context, const History& history) {
     return request;
 }
 
-RunRequest request_of(Context& context, double duration, const Place& place) {
-    RunRequest request{duration, context.outputs, {}, {}, place};
+RunRequest request_of(Context& context, double duration, const std::optional<model::StaticSolve>& rest,
+                      const Place& place) {
+    RunRequest request{duration, rest, context.outputs, {}, {}, place};
     for (const History& history : context.histories) request.histories.push_back(request_of(context, history));
     for (const Periodic& periodic : context.periodics) {
         request.callbacks.push_back({periodic.every, [&context, act = periodic.act](observe::Simulation& simulation) {
@@ -82,21 +84,24 @@ RunRequest without_functions(RunRequest request) {
     return request;
 }
 
-} // namespace
+/// How long functions of time are followed, s: a static solution reads them at one instant.
+double followed_for(double duration, double begin) { return duration > 0.0 ? duration : 1e-6 * std::max(begin, 1.0); }
 
-observe::RunReport run_now(Context& context, double duration, const Place& place) {
+observe::RunReport go_on(Context& context, double duration, const std::optional<model::StaticSolve>& rest,
+                         const Place& place) {
+    const std::string word = rest ? "solve_static" : "run";
     if (context.interrupted) throw LuaFailure("interrupted");
-    if (context.watched != nullptr) throw LuaFailure("sim:run cannot be called while a run is going on");
+    if (context.watched != nullptr) throw LuaFailure("sim:" + word + " cannot be called while a run is going on");
     const bool first = context.runs.empty();
     const double begin = context.time();
     context.run_end = begin + duration;
     if (first && context.scene.bodies.empty()) {
-        context.complain({place, "run", "", "there is no body to run", ""}, Cause::value);
+        context.complain({place, word, "", "there is no body to run", ""}, Cause::value);
     }
-    if (duration > 0.0) sample_time_functions(context, begin, context.run_end);
+    if (rest || duration > 0.0) sample_time_functions(context, begin, begin + followed_for(duration, begin));
     try_place_functions(context);
     if (first || context.simulates()) context.check_model();
-    const RunRequest request = request_of(context, duration, place);
+    const RunRequest request = request_of(context, duration, rest, place);
     if (first) context.scene_at_first_run = context.scene;
     if (!context.simulates()) {
         context.runs.push_back(without_functions(request));
@@ -113,6 +118,16 @@ observe::RunReport run_now(Context& context, double duration, const Place& place
         throw LuaFailure("interrupted");
     }
     return report;
+}
+
+} // namespace
+
+observe::RunReport run_now(Context& context, double duration, const Place& place) {
+    return go_on(context, duration, std::nullopt, place);
+}
+
+observe::RunReport solve_now(Context& context, const model::StaticSolve& said) {
+    return go_on(context, 0.0, said, said.place);
 }
 
 } // namespace demlua::scripting

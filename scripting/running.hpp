@@ -1,4 +1,4 @@
-// sim:run and the user's functions that run between steps.
+// sim:run, sim:solve_static and the user's functions that run between steps.
 #pragma once
 
 #include "scripting/context.hpp"
@@ -8,5 +8,8 @@ namespace demlua::scripting {
 /// Runs the scene as it stands for `duration` (s), or, when nothing is simulated, notes that it would. Throws SceneError
 /// and RunError.
 observe::RunReport run_now(Context& context, double duration, const Place& place);
+
+/// The same for a static solution.
+observe::RunReport solve_now(Context& context, const model::StaticSolve& said);
 
 } // namespace demlua::scripting

@@ -198,6 +198,21 @@ int run(lua_State* L) {
     return 1;
 }
 
+int solve_static(lua_State* L) {
+    const Call call = call_on_simulation(L, words::solve_static());
+    StaticSolve said;
+    said.place = call.place;
+    if (!lua_isnoneornil(L, 2)) read(call, 2, words::solve_static(), said);
+    const observe::RunReport report = solve_now(call.context, said);
+    lua_createtable(L, 0, 2);
+    lua_pushinteger(L, report.solutions);
+    lua_setfield(L, -2, "solutions");
+    lua_pushnumber(L, report.residual);
+    lua_setfield(L, -2, "residual");
+    make_strict(L, "field of a report");
+    return 1;
+}
+
 /// sim.now beside the words.
 int simulation_index(lua_State* L) {
     const std::string key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : describe(L, 2);
@@ -221,7 +236,7 @@ void add_simulation(lua_State* L) {
     define<SimulationHandle>(L, nullptr);
     luaL_getmetatable(L, object_name<SimulationHandle>);
     lua_createtable(L, 0, 16);
-    constexpr std::array<luaL_Reg, 14> methods{{{"body", guarded<body>},
+    constexpr std::array<luaL_Reg, 15> methods{{{"body", guarded<body>},
                                                 {"fix", guarded<fix>},
                                                 {"move", guarded<move>},
                                                 {"force", guarded<force>},
@@ -234,6 +249,7 @@ void add_simulation(lua_State* L) {
                                                 {"output", guarded<output>},
                                                 {"every", guarded<every>},
                                                 {"run", guarded<run>},
+                                                {"solve_static", guarded<solve_static>},
                                                 {nullptr, nullptr}}};
     luaL_setfuncs(L, methods.data(), 0);
     lua_pushcclosure(L, guarded<simulation_index>, 1);

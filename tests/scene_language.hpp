@@ -70,6 +70,7 @@ public:
                                     }
                                 }});
         }
+        if (request.rest) return simulation_->solve_static(*request.rest, watchers);
         return simulation_->run(request.duration, watchers);
     }
     void frame() override { ++frames; }

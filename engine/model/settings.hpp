@@ -109,6 +109,7 @@ const WordOf<HistorySaid>& history();
 const WordOf<OutputSaid>& output();
 const WordOf<EverySaid>& every();
 const WordOf<RunSaid>& run();
+const WordOf<StaticSolve>& solve_static();
 const WordOf<Nothing>& param();
 const WordOf<Nothing>& result();
 const WordOf<Comparison>& compare();

@@ -186,6 +186,24 @@ const WordOf<RunSaid>& run() {
     return made;
 }
 
+const WordOf<StaticSolve>& solve_static() {
+    static const WordOf<StaticSolve> made = word<StaticSolve>(
+        "sim:solve_static",
+        "Moves the elements to rest under the forces, tractions, gravity and given displacements as they are now, by "
+        "solving for it instead of marching there; given velocities count as supports. It is taken as one step, with a "
+        "frame before and after. Only for bonds that do not yield there, and without walls, rigid bodies and contacts "
+        "that press.",
+        "a report with the fields solutions and residual", "sim:solve_static {}",
+        {row<&StaticSolve::tolerance>("tolerance", "", optional, positive,
+                                      "what may be left on free elements, as a share of loads and reactions"),
+         row<&StaticSolve::max_iterations>("max_iterations", "", optional, positive,
+                                           "linear systems that may be solved on the way"),
+         row<&StaticSolve::linear>("linear", optional,
+                                   "solve once, of first order in displacements from where the elements were bonded; "
+                                   "forces are then out of balance by the square of the rotations")});
+    return made;
+}
+
 const WordOf<Nothing>& param() {
     static const WordOf<Nothing> made = word<Nothing>(
         "dem.param", "Declares parameters that `--set name=value` can change; gives a table of their values.",
@@ -213,8 +231,8 @@ const std::vector<const Word*>& all_words() {
         &words::set_velocity(), &words::fix(),          &words::move(),         &words::force(),
         &words::traction(),     &words::ramp(),         &words::wall(),         &words::wall_move(),
         &words::notch(),        &words::damping(),      &words::probe(),        &words::history(),
-        &words::output(),       &words::every(),        &words::run(),          &words::result(),
-        &words::compare(),      &words::study()};
+        &words::output(),       &words::every(),        &words::run(),          &words::solve_static(),
+        &words::result(),       &words::compare(),      &words::study()};
     return words;
 }
 

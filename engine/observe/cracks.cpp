@@ -1,34 +1,10 @@
 #include "engine/observe/cracks.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace demlua::observe {
 
 namespace {
-
-/// Disjoint sets; the root of each is its lowest member, so that numbering follows the elements.
-class Parts {
-public:
-    explicit Parts(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-
-    std::size_t root(std::size_t k) {
-        while (parent_[k] != k) {
-            parent_[k] = parent_[parent_[k]];
-            k = parent_[k];
-        }
-        return k;
-    }
-
-    void join(std::size_t a, std::size_t b) {
-        a = root(a);
-        b = root(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
-
-private:
-    std::vector<std::size_t> parent_;
-};
 
 /// Length of crack that one broken bond stands for, m.
 template <class Law>
@@ -68,30 +44,6 @@ double crack_length_of(const state::State& state) {
         }
         return length;
     });
-}
-
-std::vector<std::int32_t> fragment_of_elements(const state::State& state) {
-    Parts parts(state.elements.size());
-    for (const state::AnyBondSet& any : state.bond_sets) {
-        std::visit(
-            [&](const auto& bonds) {
-                for (std::size_t k = 0; k < bonds.size(); ++k) {
-                    if (!bonds.is_broken(k)) parts.join(bonds.i[k], bonds.j[k]);
-                }
-            },
-            any);
-    }
-    for (const state::RigidBody& rigid : state.rigid_bodies) {
-        const state::Body& body = state.bodies[rigid.body];
-        for (std::size_t k = body.first; k < body.last; ++k) parts.join(body.first, k);
-    }
-    std::vector<std::int32_t> fragment(state.elements.size());
-    std::int32_t next = 0;
-    for (std::size_t k = 0; k < fragment.size(); ++k) {
-        const std::size_t root = parts.root(k);
-        fragment[k] = root == k ? next++ : fragment[root];
-    }
-    return fragment;
 }
 
 std::size_t fragment_count(const std::vector<std::int32_t>& fragment) {

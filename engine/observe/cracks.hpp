@@ -15,10 +15,7 @@ std::size_t broken_bond_count(const state::State& state);
 /// Sum over broken bonds of the mean diameter of their elements, m.
 double crack_length_of(const state::State& state);
 
-/// For every element the number of the part it belongs to: parts are held together by bonds that are not broken, a rigid
-/// body is one part, and parts are numbered from zero by their first element.
-std::vector<std::int32_t> fragment_of_elements(const state::State& state);
-
+/// How many parts there are, of their numbers by element.
 std::size_t fragment_count(const std::vector<std::int32_t>& fragment);
 
 } // namespace demlua::observe

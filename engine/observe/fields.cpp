@@ -3,6 +3,7 @@
 #include "engine/observe/cracks.hpp"
 #include "engine/observe/ledger.hpp"
 #include "engine/observe/stress.hpp"
+#include "engine/state/parts.hpp"
 #include "engine/step/facet_forces.hpp"
 
 #include <algorithm>
@@ -56,7 +57,7 @@ FieldValues radii(const state::State& state) {
 }
 FieldValues bodies(const state::State& state) { return whole(state.elements.body); }
 FieldValues clusters(const state::State& state) { return whole(state.elements.cluster); }
-FieldValues fragments(const state::State& state) { return fragment_of_elements(state); }
+FieldValues fragments(const state::State& state) { return state::part_of_elements(state); }
 FieldValues displacements(const state::State& state) {
     return each_vector(state, [&](std::size_t k) { return state.elements.displacement(k); });
 }

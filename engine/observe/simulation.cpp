@@ -7,8 +7,10 @@
 #include "engine/state/assemble.hpp"
 #include "engine/state/bond_assembly.hpp"
 #include "engine/state/loading.hpp"
+#include "engine/state/parts.hpp"
 #include "engine/state/selection.hpp"
 #include "engine/step/real_moduli.hpp"
+#include "engine/step/static_solve.hpp"
 #include "engine/step/step.hpp"
 #include "engine/step/time_step.hpp"
 
@@ -262,6 +264,13 @@ double Simulation::step_in_flight(double ahead) const {
     return longest;
 }
 
+void Simulation::start_once() {
+    if (inside_->started) return;
+    step::start(*state_, inside_->stepper);
+    inside_->balance_at_start = balance(ledger_of(*state_));
+    inside_->started = true;
+}
+
 RunReport Simulation::run(double duration, const std::vector<Watcher>& watchers, const std::atomic<bool>* interrupted) {
     const auto begin = std::chrono::steady_clock::now();
     std::vector<double> intervals{duration};
@@ -270,13 +279,31 @@ RunReport Simulation::run(double duration, const std::vector<Watcher>& watchers,
     }
     std::sort(intervals.begin(), intervals.end());
     prepare(intervals);
-    if (!inside_->started) {
-        step::start(*state_, inside_->stepper);
-        inside_->balance_at_start = balance(ledger_of(*state_));
-        inside_->started = true;
-    }
+    start_once();
     RunReport report = run_until(state_->time + duration, watchers, interrupted);
     report.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return report;
+}
+
+RunReport Simulation::solve_static(const model::StaticSolve& said, const std::vector<Watcher>& watchers) {
+    const auto begin = std::chrono::steady_clock::now();
+    prepare({});
+    start_once();
+    for (const Watcher& watcher : watchers) watcher.act(*this);
+    const double before = balance(ledger_of(*state_));
+    const step::StaticAnswer answer = step::solve_static(*state_, inside_->stepper, said);
+    state_->booked.loads += balance(ledger_of(*state_)) - before;
+    for (const Watcher& watcher : watchers) watcher.act(*this);
+    RunReport report;
+    report.steps = 1;
+    report.solutions = answer.solutions;
+    report.residual = answer.residual;
+    report.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    inside_->notes.push_back(
+        fmt::format("static solution at t = {:.6g} s: {} of a linear system of {} unknowns, {:.2g} "
+                    "of the loads left on free elements{}",
+                    state_->time, answer.solutions, 3 * state_->elements.size(), answer.residual,
+                    said.linear ? ", of first order in displacements" : ""));
     return report;
 }
 
@@ -356,7 +383,7 @@ std::size_t Simulation::contact_count() const {
 
 std::size_t Simulation::broken_bonds() const { return broken_bond_count(*state_); }
 double Simulation::crack_length() const { return crack_length_of(*state_); }
-std::size_t Simulation::fragments() const { return fragment_count(fragment_of_elements(*state_)); }
+std::size_t Simulation::fragments() const { return fragment_count(state::part_of_elements(*state_)); }
 
 Ledger Simulation::ledger() const {
     Ledger now = ledger_of(*state_);

@@ -39,6 +39,8 @@ struct RunReport {
     std::string reason;      ///< given to stop()
     std::uint64_t steps = 0; ///< in this run
     double wall_time = 0.0;  ///< s
+    int solutions = 0;       ///< of linear systems, when it was a static solution
+    double residual = 0.0;   ///< likewise, of the loads, what is left on free elements
 };
 
 /// Time spent in one stage since the start.
@@ -65,6 +67,10 @@ public:
     /// `interrupted`, when given, is polled between steps.
     RunReport run(double duration, const std::vector<Watcher>& watchers,
                   const std::atomic<bool>* interrupted = nullptr);
+    /// Moves the elements to rest under the loads of this instant (step/static_solve.hpp); watchers act before and after.
+    /// Counts as one step. Loads are taken to grow slowly: their work, like that of the hand that stops what moved, is
+    /// what the energies changed by. Throws SceneError, leaving the state as it was.
+    RunReport solve_static(const model::StaticSolve& said, const std::vector<Watcher>& watchers);
     /// Ends the run after the watchers of this instant.
     void stop(std::string reason);
 
@@ -123,6 +129,7 @@ private:
     void take_in(const model::Damping& said);
     void add_drives(std::vector<std::size_t>& rows, std::vector<state::Drive> drives);
     void prepare(const std::vector<double>& intervals);
+    void start_once();
     [[nodiscard]] double step_in_flight(double ahead) const;
     RunReport run_until(double end, const std::vector<Watcher>& watchers, const std::atomic<bool>* interrupted);
     void check_energy() const;

@@ -4,6 +4,7 @@
 #include "engine/law/restitution.hpp"
 #include "engine/packing/packing.hpp"
 #include "engine/state/bond_assembly.hpp"
+#include "engine/state/parts.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -252,6 +253,7 @@ Assembly assemble(const model::Scene& scene, const packing::PackStore* packs) {
         throw SceneError(Problem{scene.place, "simulation", "", "has no body to move", ""});
     }
     problems = overlapping_bodies(scene, state);
+    for (Problem& problem : coincident_elements(scene, state)) problems.push_back(std::move(problem));
     if (!problems.empty()) throw SceneError(std::move(problems));
 
     for (std::size_t row = 0; row < scene.bodies.size(); ++row) {
@@ -266,6 +268,7 @@ Assembly assemble(const model::Scene& scene, const packing::PackStore* packs) {
         assembly.notes.push_back(describe(state, row, network, bonds ? &*bonds : nullptr));
         if (bonds) state.bond_sets.push_back(std::move(*bonds));
     }
+    for (std::string& note : separate_parts(state)) assembly.notes.push_back(std::move(note));
     lay_out_walls(scene, state);
     return assembly;
 }

@@ -30,6 +30,8 @@ Drive drive_of(const Column<Index>& rows, const State& state, Freedom freedom, c
         const std::optional<std::size_t> rigid = state.bodies[state.elements.body[k]].rigid;
         if (!rigid) {
             drive.element.push_back(k);
+            const Elements& elements = state.elements;
+            if (is_displacement) drive.begin.push_back(freedom == Freedom::x ? elements.ux[k] : elements.uy[k]);
         } else if (std::find(drive.rigid.begin(), drive.rigid.end(), *rigid) == drive.rigid.end()) {
             drive.rigid.push_back(*rigid);
         }

@@ -65,6 +65,7 @@ struct Drive {
     Freedom freedom = Freedom::x;
     Signal value;                 ///< m/s or rad/s; or m (rad) when it gives displacement
     bool is_displacement = false; ///< counted from its value when the motion begins
+    Column<double> begin;         ///< then the displacement of each element at that instant, m; else empty
 };
 
 /// Work booked at the two halves of each kick, J.

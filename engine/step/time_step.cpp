@@ -1,17 +1,14 @@
 #include "engine/step/time_step.hpp"
 
 #include "engine/law/stable_step.hpp"
-#include "engine/step/contact_room.hpp"
 #include "engine/step/lanczos.hpp"
+#include "engine/step/pair_bound.hpp"
 #include "engine/step/springs.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
-#include <type_traits>
-#include <vector>
 
 namespace demlua::step {
 
@@ -19,122 +16,10 @@ namespace {
 
 constexpr double greatest_paper_ratio = 2.0 / 3.0; // of Kt to Kn, beyond which eq. 19 is unstable in a lattice
 
-/// D_i of the bonds of one element, stiffness and damping.
-struct Block {
-    Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();
-    Eigen::Matrix3d damping = Eigen::Matrix3d::Zero();
-};
-
-std::vector<Block> blocks_of(const Springs& springs) {
-    std::vector<Block> blocks(static_cast<std::size_t>(springs.freedoms() / 3));
-    for (std::size_t spring = 0; spring < springs.size(); ++spring) {
-        const auto ends = springs.ends(spring);
-        const auto sharing = static_cast<double>(ends.size());
-        for (const SpringEnd& end : ends) {
-            const Eigen::Vector3d b{end.x, end.y, end.turn};
-            const Eigen::Matrix3d square = sharing * b * b.transpose();
-            Block& block = blocks[static_cast<std::size_t>(springs.row(end.element) / 3)];
-            block.stiffness += springs.stiffness(spring) * square;
-            block.damping += springs.damping(spring) * square;
-        }
-    }
-    return blocks;
-}
-
-double largest_eigenvalue(const Eigen::Matrix3d& block) {
-    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(block, Eigen::EigenvaluesOnly).eigenvalues()[2];
-}
-
-double step_of(Block block, const Felt& contacts) {
-    block.stiffness.diagonal() += contacts.stiffness;
-    block.damping.diagonal() += contacts.damping;
-    return law::stable_step(largest_eigenvalue(block.stiffness), largest_eigenvalue(block.damping));
-}
-
-struct Tightest {
-    double step = std::numeric_limits<double>::infinity();
-    std::size_t at = 0; ///< element, or body
-    std::string why;
-
-    void offer(double candidate, std::size_t where, const std::string& reason) {
-        if (candidate >= step) return;
-        step = candidate;
-        at = where;
-        why = reason;
-    }
-};
-
-/// What a step must allow for in one body.
-struct Facts {
-    bool loosens = true;                 ///< its elements can come loose, or are
-    double smallest_radius = 0.0;        ///< of the scene, m
-    bool has_company = false;            ///< other bodies or walls
-    std::vector<std::size_t> neighbours; ///< bonds that hold each element of the scene
-};
-
-Facts facts_of(const state::State& state) {
-    Facts facts;
-    const Column<double>& radius = state.elements.radius;
-    facts.smallest_radius = *std::min_element(radius.begin(), radius.end());
-    facts.has_company = state.bodies.size() > 1 || !state.walls.empty();
-    facts.neighbours.resize(state.elements.size());
-    for (const state::AnyBondSet& any : state.bond_sets) {
-        std::visit(
-            [&](const auto& bonds) {
-                for (std::size_t k = 0; k < bonds.size(); ++k) {
-                    if (bonds.is_broken(k)) continue;
-                    ++facts.neighbours[bonds.i[k]];
-                    ++facts.neighbours[bonds.j[k]];
-                }
-            },
-            any);
-    }
-    return facts;
-}
-
-/// Whether elements of the body can touch each other: it is not bonded, or by bonds that break.
-bool can_loosen(const state::State& state, std::size_t body) {
-    bool bonded = false;
-    bool breaks = false;
-    for (const state::AnyBondSet& any : state.bond_sets) {
-        std::visit(
-            [&](const auto& bonds) {
-                if (bonds.body != body) return;
-                bonded = true;
-                breaks = breaks || std::decay_t<decltype(bonds)>::law::breaks;
-            },
-            any);
-    }
-    return breaks || !bonded;
-}
-
-/// Contacts of element k with others beside the bonds it has.
-Felt beside_bonds(const state::State& state, const Facts& facts, std::size_t k) {
-    if (!facts.has_company) return {};
-    const double room = room_around(state.elements.radius[k], facts.smallest_radius);
-    const double free = std::max(room - static_cast<double>(facts.neighbours[k]), 0.0);
-    return hardest_contacts(state, k, free, facts.loosens);
-}
-
 Springs mass_scaled(const state::State& state, std::size_t body) {
     Springs springs = springs_of_body(state, body);
     springs.scale(inverse_root_masses(state.elements, state.bodies[body].first, state.bodies[body].last));
     return springs;
-}
-
-Tightest bound_of(const state::State& state, const Facts& facts, std::size_t body, const Springs& springs) {
-    Tightest tightest;
-    const std::vector<Block> blocks = blocks_of(springs);
-    const std::size_t first = state.bodies[body].first;
-    for (std::size_t k = first; k < state.bodies[body].last; ++k) {
-        tightest.offer(step_of(blocks[k - first], beside_bonds(state, facts, k)), k,
-                       facts.has_company ? "its bonds and contacts" : "its bonds");
-        if (!facts.loosens || state.bodies[body].size() == 1) continue;
-        const double room = room_around(state.elements.radius[k], facts.smallest_radius);
-        tightest.offer(step_of({}, hardest_contacts(state, k, room, true)), k,
-                       "contacts all round once its bonds are gone");
-    }
-    return tightest;
 }
 
 /// The largest dt with lambda_max(dt^2 K + 2 dt C) <= 4, never above it. Found by taking, of the mode that is largest at one
@@ -172,7 +57,7 @@ double sharp_of(const state::State& state, const Facts& facts, std::size_t body,
     Eigen::VectorXd damping = stiffness;
     const std::size_t first = state.bodies[body].first;
     for (std::size_t k = first; k < state.bodies[body].last; ++k) {
-        const Felt contacts = beside_bonds(state, facts, k);
+        const Felt contacts = beside_bonds(state, facts, k, false);
         stiffness.segment<3>(springs.row(k)) = contacts.stiffness;
         damping.segment<3>(springs.row(k)) = contacts.damping;
     }
@@ -193,10 +78,9 @@ struct Found {
 };
 
 Found bound_found(const state::State& state) {
-    Facts facts = facts_of(state);
+    const Facts facts = facts_of(state);
     Tightest tightest;
     for_each_free_body(state, [&](std::size_t body, const Springs& springs) {
-        facts.loosens = can_loosen(state, body);
         const Tightest here = bound_of(state, facts, body, springs);
         tightest.offer(here.step, here.at, here.why);
     });
@@ -206,15 +90,14 @@ Found bound_found(const state::State& state) {
 }
 
 Found sharp_found(const state::State& state) {
-    Facts facts = facts_of(state);
+    const Facts facts = facts_of(state);
     Tightest tightest;
     for_each_free_body(state, [&](std::size_t body, const Springs& springs) {
-        facts.loosens = can_loosen(state, body);
         const Tightest bound = bound_of(state, facts, body, springs);
         const std::string& name = state.bodies[body].name;
         const std::string at =
             fmt::format("pair-energy bound, tightest at element {} of {} with {}", bound.at, name, bound.why);
-        if (facts.loosens || springs.size() == 0) {
+        if (can_loosen(state, body) || springs.size() == 0) {
             tightest.offer(bound.step, body, at);
             return;
         }
@@ -276,8 +159,7 @@ double sharp_step_of_bonds(const state::State& state) {
     for_each_free_body(state, [&](std::size_t /*body*/, const Springs& springs) {
         if (springs.size() == 0) return;
         const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(springs.freedoms());
-        double start = std::numeric_limits<double>::infinity();
-        for (const Block& block : blocks_of(springs)) start = std::min(start, step_of(block, {}));
+        const double start = bound_of_bonds(springs);
         shortest = std::min(shortest, std::max(start, largest_step(springs, nothing, nothing, start)));
     });
     return shortest;

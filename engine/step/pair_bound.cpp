@@ -1,0 +1,112 @@
+#include "engine/step/pair_bound.hpp"
+
+#include "engine/law/stable_step.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <type_traits>
+#include <variant>
+
+namespace demlua::step {
+
+namespace {
+
+/// D_i of the bonds of one element, stiffness and damping.
+struct Block {
+    Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();
+    Eigen::Matrix3d damping = Eigen::Matrix3d::Zero();
+};
+
+std::vector<Block> blocks_of(const Springs& springs) {
+    std::vector<Block> blocks(static_cast<std::size_t>(springs.freedoms() / 3));
+    for (std::size_t spring = 0; spring < springs.size(); ++spring) {
+        const auto ends = springs.ends(spring);
+        const auto sharing = static_cast<double>(ends.size());
+        for (const SpringEnd& end : ends) {
+            const Eigen::Vector3d b{end.x, end.y, end.turn};
+            const Eigen::Matrix3d square = sharing * b * b.transpose();
+            Block& block = blocks[static_cast<std::size_t>(springs.row(end.element) / 3)];
+            block.stiffness += springs.stiffness(spring) * square;
+            block.damping += springs.damping(spring) * square;
+        }
+    }
+    return blocks;
+}
+
+double largest_eigenvalue(const Eigen::Matrix3d& block) {
+    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(block, Eigen::EigenvaluesOnly).eigenvalues()[2];
+}
+
+double step_of(Block block, const Felt& contacts) {
+    block.stiffness.diagonal() += contacts.stiffness;
+    block.damping.diagonal() += contacts.damping;
+    return law::stable_step(largest_eigenvalue(block.stiffness), largest_eigenvalue(block.damping));
+}
+
+} // namespace
+
+Facts facts_of(const state::State& state) {
+    Facts facts;
+    const Column<double>& radius = state.elements.radius;
+    facts.smallest_radius = *std::min_element(radius.begin(), radius.end());
+    facts.has_company = state.bodies.size() > 1 || !state.walls.empty();
+    facts.neighbours.resize(state.elements.size());
+    for (const state::AnyBondSet& any : state.bond_sets) {
+        std::visit(
+            [&](const auto& bonds) {
+                for (std::size_t k = 0; k < bonds.size(); ++k) {
+                    if (bonds.is_broken(k)) continue;
+                    ++facts.neighbours[bonds.i[k]];
+                    ++facts.neighbours[bonds.j[k]];
+                }
+            },
+            any);
+    }
+    return facts;
+}
+
+bool can_loosen(const state::State& state, std::size_t body) {
+    bool bonded = false;
+    bool breaks = false;
+    for (const state::AnyBondSet& any : state.bond_sets) {
+        std::visit(
+            [&](const auto& bonds) {
+                if (bonds.body != body) return;
+                bonded = true;
+                breaks = breaks || std::decay_t<decltype(bonds)>::law::breaks;
+            },
+            any);
+    }
+    return breaks || !bonded;
+}
+
+Felt beside_bonds(const state::State& state, const Facts& facts, std::size_t k, bool loosens) {
+    if (!facts.has_company) return {};
+    const double room = room_around(state.elements.radius[k], facts.smallest_radius);
+    const double free = std::max(room - static_cast<double>(facts.neighbours[k]), 0.0);
+    return hardest_contacts(state, k, free, loosens);
+}
+
+Tightest bound_of(const state::State& state, const Facts& facts, std::size_t body, const Springs& springs) {
+    const bool loosens = can_loosen(state, body);
+    Tightest tightest;
+    const std::vector<Block> blocks = blocks_of(springs);
+    const std::size_t first = state.bodies[body].first;
+    for (std::size_t k = first; k < state.bodies[body].last; ++k) {
+        tightest.offer(step_of(blocks[k - first], beside_bonds(state, facts, k, loosens)), k,
+                       facts.has_company ? "its bonds and contacts" : "its bonds");
+        if (!loosens || state.bodies[body].size() == 1) continue;
+        const double room = room_around(state.elements.radius[k], facts.smallest_radius);
+        tightest.offer(step_of({}, hardest_contacts(state, k, room, true)), k,
+                       "contacts all round once its bonds are gone");
+    }
+    return tightest;
+}
+
+double bound_of_bonds(const Springs& springs) {
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const Block& block : blocks_of(springs)) shortest = std::min(shortest, step_of(block, {}));
+    return shortest;
+}
+
+} // namespace demlua::step
