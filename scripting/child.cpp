@@ -74,6 +74,7 @@ void Child::start(const std::vector<std::string>& arguments, const std::filesyst
     const int failed =
         posix_spawn(&process, program.c_str(), surroundings.files(), surroundings.attributes(), argv.data(), environ);
     if (failed != 0) throw RunError(fmt::format("{} cannot be started: {}", program, std::strerror(failed)));
+    asked_to_end_ = false;
     process_ = process;
 }
 
@@ -93,7 +94,8 @@ ChildEnd Child::wait() {
 
 void Child::interrupt() {
     const pid_t process = process_;
-    if (process > 0) kill(process, SIGINT);
+    // A second signal would end it before it has written its last frame.
+    if (process > 0 && !asked_to_end_.exchange(true)) kill(process, SIGINT);
 }
 
 } // namespace demlua::scripting

@@ -25,11 +25,12 @@ public:
     void start(const std::vector<std::string>& arguments, const std::filesystem::path& complaints);
     /// Waits until it has ended.
     ChildEnd wait();
-    /// Asks it to end, from any thread; does nothing while none runs.
+    /// Asks it to end, once, from any thread; does nothing while none runs.
     void interrupt();
 
 private:
     std::atomic<pid_t> process_{0};
+    std::atomic<bool> asked_to_end_{false};
     double begin_ = 0.0; ///< s, on a steady clock
 };
 

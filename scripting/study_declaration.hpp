@@ -24,9 +24,10 @@ enum class ReferenceFrom { result, study, finest };
 struct StudyDeclaration {
     Place place;
     model::StudySaid said;
-    std::vector<Varied> vary; ///< by name, without seeds
-    std::string levels;       ///< the varied parameter whose values make the levels; empty when none does
-    std::vector<Plain> seeds; ///< whole numbers; empty: seeds are not varied
+    std::vector<Varied> vary;      ///< by name, without seeds
+    std::string levels;            ///< the varied parameter whose values make the levels; empty when none does
+    bool size_is_function = false; ///< else the level's own value is the size
+    std::vector<Plain> seeds;      ///< whole numbers; empty: seeds are not varied
     ReferenceFrom reference_from = ReferenceFrom::result;
 
     // As the parameters of this reading have them.

@@ -176,9 +176,10 @@ study::Question question_of(const std::filesystem::path& file, const SceneSummar
     question.source = study.said.source;
     question.because = study.said.because;
     if (study.said.order) question.order = {{study.said.order->x, study.said.order->y}};
-    question.size = study.levels;
+    question.levels = study.levels;
+    question.own_size = study.size_is_function;
     for (const Parameter& parameter : scene.parameters) {
-        if (parameter.name == study.levels) question.size_unit = parameter.unit;
+        if (parameter.name == study.levels) question.levels_unit = parameter.unit;
     }
     question.against_finest = study.reference_from == ReferenceFrom::finest;
     return question;

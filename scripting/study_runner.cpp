@@ -170,15 +170,13 @@ std::vector<std::string> StudyRunner::arguments_for(const PlannedRun& planned) c
 // --- in the thread that talks ----------------------------------------------------------------------------------------
 
 void StudyRunner::watch(std::vector<Lane>& lanes) {
-    bool told_to_end = false;
     for (;;) {
         tell(lanes);
         {
             const std::lock_guard lock(mutex_);
             if (working_ == 0) return;
-            if (stopping() && !told_to_end) {
+            if (stopping()) {
                 for (Lane& lane : lanes) lane.child.interrupt();
-                told_to_end = true;
             }
         }
         std::this_thread::sleep_for(glance);

@@ -141,6 +141,7 @@ void read_size(const Call& call, StudyDeclaration& study, StudyFunctions& functi
         study.levels = lua_tostring(call.L, -1);
     } else if (lua_type(call.L, -1) == LUA_TFUNCTION) {
         functions.size = Function(call.L, -1);
+        study.size_is_function = true;
     } else {
         refuse(call, "study.size", -1, "must be the name of a varied parameter or a function of the parameters");
     }

@@ -82,6 +82,14 @@ lacks out.txt "finished earlier"
 expect 0 law.lua --set seed=1 --fresh
 lacks out.txt "finished earlier"
 
+printf 'dem.include "law.lua" {}\n' | sed '1i local dem = require "dem"' >including.lua
+expect 0 including.lua
+expect 0 including.lua
+says out.txt "finished earlier"
+echo "-- changed" >>law.lua
+expect 0 including.lua
+lacks out.txt "finished earlier"
+
 # ---- the two coarsest, side by side, quiet -------------------------------------------------------
 expect 0 law.lua --quick -o quick
 folder=quick

@@ -29,7 +29,7 @@ Run run_of(const std::string& series, double size, double reference, double erro
 Question question_of_size() {
     Question question;
     question.measure = "height";
-    question.size = "radius";
+    question.levels = "radius";
     return question;
 }
 

@@ -50,7 +50,7 @@ std::optional<double> extrapolated(const Levels& levels) {
 }
 
 std::optional<double> order_between(const Sample& coarse, const Sample& fine) {
-    if (coarse.value == 0.0 || fine.value == 0.0) return std::nullopt;
+    if (coarse.value == 0.0 || fine.value == 0.0 || coarse.size == fine.size) return std::nullopt;
     return std::log(std::abs(coarse.value / fine.value)) / std::log(coarse.size / fine.size);
 }
 

@@ -27,7 +27,7 @@ std::optional<double> observed_order(const Levels& levels);
 /// (f1 f3 - f2^2) / (f1 - 2 f2 + f3). Nothing where there is no positive order.
 std::optional<double> extrapolated(const Levels& levels);
 
-/// The order from the errors of two levels, log(e1/e2) / log(h1/h2). Nothing when an error is zero.
+/// The order from the errors of two levels, log(e1/e2) / log(h1/h2). Nothing when an error is zero or the sizes are the same.
 std::optional<double> order_between(const Sample& coarse, const Sample& fine);
 
 /// e(h) = factor h^exponent.

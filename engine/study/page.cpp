@@ -76,11 +76,14 @@ std::string html_of(const Table& table) {
 
 std::string error_size_svg(const Study& study) {
     const Question& question = study.question;
-    Plot plot{fmt::format("{}: error against {}", question.measure, question.size.empty() ? "size" : question.size),
-              with_unit(question.size, question.size_unit),
-              error_label(study),
-              {}};
-    plot.instead = question.size.empty() ? "no size is varied" : "there is no error to draw";
+    const bool plain = !question.own_size && !question.levels.empty();
+    const std::string size_name = plain ? question.levels : "size";
+    const std::string size_label = plain ? with_unit(question.levels, question.levels_unit)
+                                   : question.own_size
+                                       ? fmt::format("size that the scene gives for {}", question.levels)
+                                       : "size";
+    Plot plot{fmt::format("{}: error against {}", question.measure, size_name), size_label, error_label(study), {}};
+    plot.instead = question.levels.empty() ? "no size is varied" : "there is no error to draw";
     for (const Series& series : study.series) {
         plot.curves.push_back(curve_of(
             study, series, [](const Level& level) { return level.size; }, [](const Run& run) { return run.size; }));

@@ -122,7 +122,7 @@ void work_out(Series& series, const Question& question) {
     for (Level& level : series.levels) {
         if (!question.against_finest || &level != &series.levels.back()) compare(level);
     }
-    if (question.size.empty()) return;
+    if (question.levels.empty()) return;
     describe_sizes(series);
     find_orders(series);
 }

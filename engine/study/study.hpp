@@ -39,11 +39,12 @@ struct Question {
     std::string scene; ///< file name
     std::string title;
     std::string measure;
-    std::string unit; ///< of the measure
-    std::string size; ///< name of the parameter that makes the levels; empty when none does
-    std::string size_unit;
-    std::string source;                         ///< of the reference
-    std::string because;                        ///< why the tolerance is what it is
+    std::string unit;   ///< of the measure
+    std::string levels; ///< name of the parameter that makes the levels; empty when none does
+    std::string levels_unit;
+    bool own_size = false; ///< sizes are worked out from the parameters; else they are the levels' own values
+    std::string source;    ///< of the reference
+    std::string because;   ///< why the tolerance is what it is
     std::optional<std::array<double, 2>> order; ///< within which the order of the error is expected
     bool against_finest = false;
     bool quick = false; ///< only the two coarsest levels, and one seed

@@ -56,7 +56,7 @@ Json json_of(const Series& series) {
 std::string json_of(const Study& study, const std::string& version) {
     const Question& question = study.question;
     Json json{{"scene", question.scene},   {"title", question.title},    {"measure", question.measure},
-              {"unit", question.unit},     {"size", question.size},      {"size_unit", question.size_unit},
+              {"unit", question.unit},     {"levels", question.levels},  {"levels_unit", question.levels_unit},
               {"source", question.source}, {"because", question.because}};
     json["expected_order"] = question.order ? Json(*question.order) : Json(nullptr);
     json["against_finest"] = question.against_finest;

@@ -44,8 +44,10 @@ std::vector<Column> columns_of(const Question& question) {
     const auto relative = [](const Level& level) { return level.reference != 0.0; };
     return {
         {"series", [](const Series& series, const Level& /*l*/) { return series.name; }},
-        {with_unit(question.size, question.size_unit),
+        {with_unit(question.levels, question.levels_unit),
          [](const Series& /*s*/, const Level& level) { return level.name; }},
+        {"size", [own = question.own_size](
+                     const Series& /*s*/, const Level& level) { return own ? fmt::format("{:.4g}", level.size) : ""; }},
         {"runs", [](const Series& /*s*/,
                     const Level& level) { return level.runs.size() > 1 ? std::to_string(level.runs.size()) : ""; }},
         {"elements", [](const Series& /*s*/, const Level& level) { return grouped(level.runs.front().elements); }},
