@@ -184,7 +184,8 @@ TEST_CASE("cells of a square lattice are squares", "[cells]") {
     constexpr int side = 7;
     Elements elements;
     for (int k = 0; k < side * side; ++k) {
-        elements.centre.push_back({k % side + 0.5, k / side + 0.5});
+        const int row = k / side;
+        elements.centre.push_back({k % side + 0.5, row + 0.5});
         elements.radius.push_back(0.5);
     }
     const Region region = Region::rectangle({0.0, 0.0}, {7.0, 7.0});
@@ -202,7 +203,8 @@ TEST_CASE("elements on the boundary have half cells, in its corners quarter cell
     constexpr int side = 6;
     Elements elements;
     for (int k = 0; k < side * side; ++k) {
-        elements.centre.push_back({double(k % side), double(k / side)});
+        const int row = k / side;
+        elements.centre.push_back({double(k % side), double(row)});
         elements.radius.push_back(0.5);
     }
     const Region square = Region::rectangle({0.0, 0.0}, {5.0, 5.0});
@@ -277,7 +279,8 @@ TEST_CASE("every point belongs to the element with the least power", "[cells]") 
     std::vector<double> hits(elements.centre.size(), 0.0);
     constexpr int across = 1000;
     for (int k = 0; k < across * across; ++k) {
-        const Vec2 point{2.0 * (k % across + 0.5) / across - 1.0, 2.0 * (k / across + 0.5) / across - 1.0};
+        const int row = k / across;
+        const Vec2 point{2.0 * (k % across + 0.5) / across - 1.0, 2.0 * (row + 0.5) / across - 1.0};
         const bool in_quarter = point.x >= 0.0 && point.y >= 0.0;
         if (norm(point) > 1.0 || in_quarter) continue;
         std::size_t owner = 0;

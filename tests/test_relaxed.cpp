@@ -315,6 +315,37 @@ TEST_CASE("Lloyd steps make a consolidated pack even", "[relaxed]") {
     for (const Vec2 p : even.centre) CHECK(beam().contains(p));
 }
 
+TEST_CASE("packs are as dense at their walls as inside", "[relaxed]") {
+    demlua::model::Consolidation pressed;
+    pressed.count = 1500;
+    demlua::model::Consolidation evened = pressed;
+    evened.relax = 4;
+    for (const Region& region : {beam(), ring()}) {
+        struct Example {
+            std::string name;
+            Packing pack;
+        };
+        for (const Example& example : {Example{"consolidated", consolidated(region, pressed)},
+                                       Example{"consolidated, relaxed", consolidated(region, evened)},
+                                       Example{"relaxed", relaxed(region, with_count(1500, false))}}) {
+            INFO(example.name);
+            const Packing& pack = example.pack;
+            const std::vector<double> areas = cells_of(pack.centre, pack.radius, region).area;
+            const double diameter = 2.0 * mean(pack.radius);
+            std::vector<double> at_wall;
+            std::vector<double> inside;
+            for (std::size_t k = 0; k < areas.size(); ++k) {
+                const double depth = -region.distance(pack.centre[k]);
+                if (depth < diameter) at_wall.push_back(areas[k]);
+                if (depth > 3.0 * diameter) inside.push_back(areas[k]);
+            }
+            // The rows of a lattice along a wall have cells of (2 + sqrt(3))/(2 sqrt(3)) = 1.08 of the others, since the
+            // first stands a radius off the wall and not half a row.
+            CHECK(mean(at_wall) == Approx(mean(inside)).epsilon(0.1));
+        }
+    }
+}
+
 TEST_CASE("a scene says how large elements are from place to place", "[relaxed]") {
     using namespace demlua::test;
     const std::string text = rock + R"(

@@ -110,7 +110,10 @@ private:
 /// Stands elements evenly on a stretch, one at its beginning and none at its end.
 void stand(const Stretch& stretch, double least, double start, std::vector<Vec2>& places) {
     const double count = std::max(least, std::round(stretch.elements()));
-    for (double k = 0.0; k < count; ++k) places.push_back(stretch.at((k + start) * stretch.elements() / count));
+    const double step = stretch.elements() / count;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
+        places.push_back(stretch.at((static_cast<double>(k) + start) * step));
+    }
 }
 
 } // namespace
