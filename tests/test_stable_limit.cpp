@@ -105,7 +105,7 @@ TEST_CASE("the sharp step of irregular packs is safe and within 2 % of a dense s
     CHECK(exact / sharp >= 1.0 - 1e-9);
     CHECK(exact / sharp <= 1.02);
     CHECK(sharp >= step::bound_step(state));
-    CHECK(exact / step::bound_step(state) <= 1.25);
+    CHECK(exact / step::bound_step(state) <= 1.46); // the most a row-sum bound was off in w^2, hence in a damped step
 }
 
 TEST_CASE("one light element among others sets the step", "[step]") {

@@ -348,9 +348,8 @@ std::uint64_t Simulation::step() const { return state_->step; }
 double Simulation::time_step() const { return state_->dt; }
 
 std::string Simulation::time_step_reason() const {
-    constexpr double nano = 1e9;
-    return fmt::format("{:.3g} of {:.4g} ns, {}", state_->dt / inside_->stable.critical,
-                       nano * inside_->stable.critical, inside_->stable.reason);
+    return fmt::format("{:.3g} of {}, {}", state_->dt / inside_->stable.critical,
+                       step::in_seconds(inside_->stable.critical), inside_->stable.reason);
 }
 
 int Simulation::threads() const { return static_cast<int>(inside_->team.size()); }
