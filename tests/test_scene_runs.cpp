@@ -58,6 +58,35 @@ dem.result { ending = report.ending, reason = report.reason, time = sim.now.time
     CHECK(host.columns.at("vx").front() == Approx(3.0));
 }
 
+TEST_CASE("a scene solves for rest between runs", "[scene]") {
+    BareHost host;
+    run(rock + R"(
+local sim = dem.simulation {}
+local block = sim:body { name = "block", material = rock, region = dem.rectangle { size = { 1, 1 } }, packing = dem.close_packed { radius = 0.1 }, bonds = dem.elastic {} }
+sim:fix { block.bottom }
+local weight = sim:force { block.top, y = function(t) return -1000 end }
+sim:history { every = 1e-3, sag = function(now) return now:mean("displacement_y") end }
+local report = sim:solve_static { tolerance = 1e-9 }
+local first = sim.now:mean("displacement_y")
+weight:set { y = -2000 }
+sim:solve_static {}
+dem.result { solutions = report.solutions, residual = report.residual, first = first, second = sim.now:mean("displacement_y"),
+             error = sim.now.ledger.error, work = sim.now.ledger.work, steps = sim.now.step }
+sim:run { duration = 1e-3 }
+dem.result { later = sim.now:mean("displacement_y") }
+)",
+        host);
+    CHECK(host.number("solutions") >= 1.0);
+    CHECK(host.number("residual") <= 1e-9);
+    CHECK(host.number("steps") == 2.0);
+    CHECK(host.number("second") == Approx(2.0 * host.number("first")).epsilon(1e-4));
+    CHECK(host.number("later") == Approx(host.number("second")).epsilon(1e-8));
+    CHECK(std::fabs(host.number("error")) < 1e-10 * host.number("work"));
+    // A row before and after each solution, then the run's own.
+    CHECK(host.columns.at("sag").size() >= 6);
+    CHECK(host.columns.at("sag")[1] == host.number("first"));
+}
+
 TEST_CASE("loads and velocities change between runs", "[scene]") {
     BareHost host;
     run(stone + R"(

@@ -61,6 +61,9 @@ double fitted_step(double longest, const std::vector<double>& intervals) {
     return intervals.empty() ? longest : intervals.back() / steps;
 }
 
+/// Energy of where the elements stand, J.
+double stored(const Ledger& ledger) { return ledger.bonds + ledger.contacts + ledger.potential; }
+
 /// As many threads as there is work for.
 int thread_count(int asked, std::size_t elements) {
     constexpr std::size_t elements_worth_a_thread = 3000;
@@ -290,9 +293,11 @@ RunReport Simulation::solve_static(const model::StaticSolve& said, const std::ve
     prepare({});
     start_once();
     for (const Watcher& watcher : watchers) watcher.act(*this);
-    const double before = balance(ledger_of(*state_));
+    const Ledger before = ledger_of(*state_);
     const step::StaticAnswer answer = step::solve_static(*state_, inside_->stepper, said);
-    state_->booked.loads += balance(ledger_of(*state_)) - before;
+    state_->booked.loads += stored(ledger_of(*state_)) - stored(before);
+    // What moved has been stopped: its energy leaves the account.
+    inside_->balance_at_start += balance(ledger_of(*state_)) - balance(before);
     for (const Watcher& watcher : watchers) watcher.act(*this);
     RunReport report;
     report.steps = 1;
@@ -364,9 +369,8 @@ std::uint64_t Simulation::step() const { return state_->step; }
 double Simulation::time_step() const { return state_->dt; }
 
 std::string Simulation::time_step_reason() const {
-    constexpr double nano = 1e9;
-    return fmt::format("{:.3g} of {:.4g} ns, {}", state_->dt / inside_->stable.critical,
-                       nano * inside_->stable.critical, inside_->stable.reason);
+    return fmt::format("{:.3g} of {}, {}", state_->dt / inside_->stable.critical,
+                       step::in_seconds(inside_->stable.critical), inside_->stable.reason);
 }
 
 int Simulation::threads() const { return static_cast<int>(inside_->team.size()); }

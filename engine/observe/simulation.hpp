@@ -68,8 +68,8 @@ public:
     RunReport run(double duration, const std::vector<Watcher>& watchers,
                   const std::atomic<bool>* interrupted = nullptr);
     /// Moves the elements to rest under the loads of this instant (step/static_solve.hpp); watchers act before and after.
-    /// Counts as one step. Loads are taken to grow slowly: their work, like that of the hand that stops what moved, is
-    /// what the energies changed by. Throws SceneError, leaving the state as it was.
+    /// Counts as one step. Loads are taken to grow slowly: their work is what the stored energies change by; the kinetic
+    /// energy of what moved is gone. Throws SceneError, leaving the state as it was.
     RunReport solve_static(const model::StaticSolve& said, const std::vector<Watcher>& watchers);
     /// Ends the run after the watchers of this instant.
     void stop(std::string reason);

@@ -1,11 +1,10 @@
 #include "engine/step/held_system.hpp"
 
-#include <utility>
-
 namespace demlua::step {
 
-HeldSystem::HeldSystem(Eigen::SparseMatrix<double> matrix, const std::vector<std::uint8_t>& held)
-    : held_(held), whole_(std::move(matrix)), typical_(whole_.diagonal().cwiseAbs().maxCoeff()) {
+HeldSystem::HeldSystem(const Eigen::SparseMatrix<double>& matrix, const std::vector<std::uint8_t>& held)
+    : held_(held), whole_(matrix), typical_(whole_.diagonal().cwiseAbs().maxCoeff()) {
+    if (typical_ == 0.0) typical_ = 1.0;
     Eigen::SparseMatrix<double> free = whole_;
     free.prune([&](Eigen::Index row, Eigen::Index column, double /*value*/) {
         return row == column || (!is_held(row) && !is_held(column));

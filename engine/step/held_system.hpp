@@ -13,7 +13,7 @@ namespace demlua::step {
 class HeldSystem {
 public:
     /// `matrix` symmetric, both halves stored; `held` one entry per row.
-    HeldSystem(Eigen::SparseMatrix<double> matrix, const std::vector<std::uint8_t>& held);
+    HeldSystem(const Eigen::SparseMatrix<double>& matrix, const std::vector<std::uint8_t>& held);
 
     /// Whether some motion of the free rows takes no force.
     [[nodiscard]] bool singular() const;

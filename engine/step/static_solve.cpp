@@ -205,6 +205,7 @@ private:
             jump = share < 1.0 ? Eigen::VectorXd((1.0 - share) * jump) : Eigen::VectorXd::Zero(jump.size());
             ++answer.solutions;
         }
+        refuse_yielded();
         refuse(said_,
                fmt::format("finds no rest: after {} solutions {:.2g} of the loads is left on free elements",
                            answer.solutions, answer.residual),
@@ -219,19 +220,21 @@ private:
         return farthest;
     }
 
-    /// Takes the present place as the state at rest, if bonds and contacts allow it.
-    void settle() {
+    void refuse_yielded() const {
         for (std::size_t set = 0; set < state_.bond_sets.size(); ++set) {
             std::visit(
                 [&](const auto& bonds) {
                     using Set = std::decay_t<decltype(bonds)>;
-                    const auto& was = std::get<Set>(before_.bond_sets[set]);
-                    if (const auto one = yielded(bonds, was)) {
-                        refuse(said_, "knows elastic bonds only, and " + *one, "run the scene to rest instead");
-                    }
+                    const auto one = yielded(bonds, std::get<Set>(before_.bond_sets[set]));
+                    if (one) refuse(said_, "knows elastic bonds only, and " + *one, "run the scene to rest instead");
                 },
                 state_.bond_sets[set]);
         }
+    }
+
+    /// Takes the present place as the state at rest, if bonds and contacts allow it.
+    void settle() {
+        refuse_yielded();
         if (const auto pressed = pressed_contact(state_)) {
             refuse(said_, "knows bonds only, and at rest " + *pressed, "run the scene to rest instead");
         }

@@ -6,9 +6,11 @@
 #include "engine/step/springs.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
+#include <utility>
 
 namespace demlua::step {
 
@@ -139,16 +141,24 @@ StableStep by_paper(const state::State& state, const Place& place) {
     }
     const double limit = sharp_step_of_bonds(state);
     if (paper.step > limit) {
-        refuse(fmt::format("eq. 19 is unstable here: it gives {:.4g} s where the bonds allow {:.4g} s", paper.step,
-                           limit));
+        refuse(fmt::format("eq. 19 is unstable here: it gives {} where the bonds allow {}", in_seconds(paper.step),
+                           in_seconds(limit)));
     }
     return {paper.step,
             fmt::format("eq. 19 of the paper, which is no bound, at element {} of {}; the bonds would allow "
-                        "{:.4g} ns",
-                        paper.element, state.bodies[state.elements.body[paper.element]].name, 1e9 * limit)};
+                        "{}",
+                        paper.element, state.bodies[state.elements.body[paper.element]].name, in_seconds(limit))};
 }
 
 } // namespace
+
+std::string in_seconds(double time) {
+    const std::array<std::pair<double, const char*>, 4> units{{{1.0, "s"}, {1e-3, "ms"}, {1e-6, "us"}, {1e-9, "ns"}}};
+    for (const auto& [unit, name] : units) {
+        if (time >= unit) return fmt::format("{:.4g} {}", time / unit, name);
+    }
+    return fmt::format("{:.4g} ns", 1e9 * time);
+}
 
 double bound_step(const state::State& state) { return bound_found(state).step; }
 double sharp_step(const state::State& state) { return sharp_found(state).step; }
@@ -170,7 +180,7 @@ StableStep stable_step(const state::State& state, model::StepRule rule, const Pl
     const Found found = rule == model::StepRule::bound ? bound_found(state) : sharp_found(state);
     if (!std::isfinite(found.step)) return {found.step, found.reason};
     const PaperStep paper = paper_found(state);
-    return {found.step, fmt::format("{}; the paper's eq. 19 would give {:.4g} ns{}", found.reason, 1e9 * paper.step,
+    return {found.step, fmt::format("{}; the paper's eq. 19 would give {}{}", found.reason, in_seconds(paper.step),
                                     paper.ratio > greatest_paper_ratio ? ", unstable for Kt/Kn above 2/3" : "")};
 }
 

@@ -26,6 +26,9 @@ struct StableStep {
     std::string reason;    ///< the rule, where it is tightest, and what eq. 19 would give
 };
 
+/// `470.2 ns`, `1.834 us`: a time in the unit that suits it.
+std::string in_seconds(double time);
+
 /// By the rule of a scene. Throws SceneError at `place` where eq. 19 is asked for and unstable.
 ///
 /// Bonds that break, and contacts that open, only lower the frequency; what raises it is more damping. So a step stays
