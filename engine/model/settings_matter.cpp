@@ -172,7 +172,9 @@ const WordOf<Consolidation>& consolidated() {
 const WordOf<Relaxation>& relaxed() {
     static const WordOf<Relaxation> made = word<Relaxation>(
         "dem.relaxed",
-        "Irregular pack of single elements at even distances, by Lloyd's method. Fills any region to its walls.",
+        "Irregular pack of single elements at even distances, by Lloyd's method, that fills any region to its walls. "
+        "Its "
+        "disks overlap a little: a pack for bonded bodies.",
         "a packing", "dem.relaxed { size = function(x, y) return 2e-3 + 0.1 * y end, on_boundary = true }",
         {
             row<&Relaxation::count>("count", "", optional, positive, "elements wanted; this, spacing or size"),
