@@ -258,6 +258,12 @@ TEST_CASE("elements of a pack stand on the boundary exactly, with half cells", "
         }
         CHECK(row.size() > 60);
         CHECK(mean(row) == Approx(0.5 * mean(inside)).epsilon(0.15));
+        // between two elements of the row the boundary passes from one cell to the next once
+        const Cells cells = cells_of(pack.centre, pack.radius, region);
+        const auto crossings = std::count_if(cells.facets.begin(), cells.facets.end(), [](const Facet& facet) {
+            return !(facet.outward_from == Vec2{}) || !(facet.outward_to == Vec2{});
+        });
+        CHECK(static_cast<std::size_t>(crossings) == row.size());
         const double full_radius = std::sqrt(mean(inside) / (2.0 * sqrt3));
         CHECK(row_radius / static_cast<double>(row.size()) == Approx(full_radius).epsilon(0.05));
         CHECK(relaxed_radius(region, with_count(600, true)) == Approx(full_radius).epsilon(0.03));
@@ -290,6 +296,10 @@ TEST_CASE("packs that cannot be are refused or empty", "[relaxed]") {
     Relaxation dust;
     dust.spacing = 1e-5;
     CHECK_THROWS_AS(relaxed(beam(), dust), demlua::RunError);
+    Relaxation dusty;
+    dusty.size = [](Vec2 p) { return p.y == 0.0 ? 1e-9 : 0.01; };
+    dusty.on_boundary = true;
+    CHECK_THROWS_AS(relaxed(beam(), dusty), demlua::RunError);
     CHECK(relaxed(beam(), with_count(1, false)).centre.size() == 1);
     CHECK(relaxed(disc(), with_count(2, false)).centre.size() == 2);
     Relaxation raw = with_count(500, false);

@@ -55,6 +55,7 @@ state::State pack_of(std::uint64_t seed, double damping) {
     pack.solid_fraction = 0.76;
     pack.seed = seed;
     scene.bodies[0].packing = pack;
+    std::get<model::ElasticBonds>(scene.bodies[0].bonds).network = model::Network::contacts;
     return state::assemble(scene).state;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/base/vec2.hpp"
+#include "engine/model/region.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -46,6 +47,7 @@ struct Relaxation {
     Spacing size;             ///< the same from place to place; empty if not given
     int steps = 50;           ///< of Lloyd's method
     bool on_boundary = false; ///< whether a row of elements stands on the region's boundary
+    Region boundary_within;   ///< only on the part of the boundary that lies in here; empty: on all of it
     std::uint64_t seed = 1;
 };
 

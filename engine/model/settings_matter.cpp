@@ -179,7 +179,9 @@ const WordOf<Consolidation>& consolidated() {
 const WordOf<Relaxation>& relaxed() {
     static const WordOf<Relaxation> made = word<Relaxation>(
         "dem.relaxed",
-        "Irregular pack of single elements at even distances, by Lloyd's method. Fills any region to its walls.",
+        "Irregular pack of single elements at even distances, by Lloyd's method, that fills any region to its walls. "
+        "Its "
+        "disks overlap a little: a pack for bonded bodies.",
         "a packing", "dem.relaxed { size = function(x, y) return 2e-3 + 0.1 * y end, on_boundary = true }",
         {
             row<&Relaxation::count>("count", "", optional, positive, "elements wanted; this, spacing or size"),
@@ -192,6 +194,9 @@ const WordOf<Relaxation>& relaxed() {
             row<&Relaxation::on_boundary>("on_boundary", optional,
                                           "a row of elements stands on the region's boundary, one in each corner; else "
                                           "all disks lie inside"),
+            row<&Relaxation::boundary_within>("boundary_within", optional,
+                                              "with on_boundary: the row stands only where the boundary lies in this "
+                                              "region, as at a clamped or loaded end"),
             row<&Relaxation::seed>("seed", "", optional, non_negative, "same seed, same pack"),
         });
     return made;

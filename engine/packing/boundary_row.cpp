@@ -1,7 +1,9 @@
 #include "engine/packing/boundary_row.hpp"
 
+#include "engine/base/problems.hpp"
 #include "engine/base/random.hpp"
 #include "engine/packing/growth.hpp"
+#include "engine/packing/sowing.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -98,6 +100,11 @@ private:
             const double there = size(place_on(path, end / length));
             elements += 0.5 * (end - walked_so_far) * (1.0 / here + 1.0 / there);
             marks_.push_back({piece, end / length, elements});
+            if (elements > most_elements) {
+                throw RunError(
+                    "relaxed pack: more than ten million elements would stand on the boundary; ask for larger "
+                    "ones");
+            }
             walked_so_far = end;
             here = there;
         }

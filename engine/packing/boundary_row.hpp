@@ -12,7 +12,7 @@ namespace demlua::packing {
 
 /// Places on the boundary of a bounded region: every corner, and between corners as many as `size` (m) asks for, evenly
 /// by size. Where pieces meet at less than about 17 degrees there is no corner. A boundary without corners has at least
-/// three, from a place that `seed` draws.
+/// three, from a place that `seed` draws. Throws RunError for more than ten million.
 std::vector<Vec2> boundary_row(const model::Region& region, const model::Spacing& size, std::uint64_t seed);
 
 } // namespace demlua::packing

@@ -77,6 +77,7 @@ std::optional<std::string> inputs_of(const model::Region& region, const Relaxati
     append(bytes, settings.spacing);
     append(bytes, settings.steps);
     append(bytes, settings.on_boundary);
+    append(bytes, settings.boundary_within);
     append(bytes, settings.seed);
     return bytes;
 }

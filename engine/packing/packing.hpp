@@ -43,14 +43,15 @@ double consolidated_radius(const model::Region& region, const Consolidation& set
 /// ordering more and more as they come near it; small ones reach less, because walls take room. Throws RunError
 /// where more is asked, saying what fits; an empty region, or one too small for one cluster of `radius`, gives an
 /// empty packing. With `relax` the elements then take that many steps of Lloyd's method, which undoes the clusters'
-/// shapes.
+/// shapes and lets disks overlap by more.
 Packing consolidated(const model::Region& region, const Consolidation& settings);
 
 /// Elements sown at random with the density asked for, then moved `steps` times to the middles of their cells, weighted
 /// where their size differs from place to place. Each is a cluster of its own. Cell areas are those of cells_of, their
 /// sum is the region's area; the radius is that of the hexagon of that area, sqrt(area / (2 sqrt(3))), but no disk
 /// reaches across the boundary except those of elements that stand on it, which are as large as their neighbours
-/// inside. With `on_boundary` a row of elements stands on the boundary, one in every corner. Numbered like a consolidated
+/// inside. Disks of neighbours overlap by up to about a quarter of their diameter: a pack to be bonded, not one of loose grains.
+/// With `on_boundary` a row of elements stands on the boundary, one in every corner, even if `count` is less. Numbered like a consolidated
 /// pack. Throws RunError for more than ten million elements; an empty region gives an empty packing.
 Packing relaxed(const model::Region& region, const Relaxation& settings);
 

@@ -24,12 +24,30 @@ constexpr double row_depth = 0.25 * sqrt3; ///< half the distance of rows, in di
 
 double hexagon_radius(double area) { return std::sqrt(area / (2.0 * sqrt3)); }
 
-double perimeter(const model::Region& region) {
+/// Whether an element of the row on the boundary may stand at a place of it.
+bool takes_row(const Relaxation& settings, Vec2 place) {
+    return settings.boundary_within.bounds().empty() || settings.boundary_within.contains(place);
+}
+
+/// Length of the boundary that takes a row, to a hundredth of each piece.
+double row_length(const model::Region& region, const Relaxation& settings) {
+    constexpr int samples = 100;
     double sum = 0.0;
     for (const model::Piece& piece : region.boundary()) {
-        sum += (piece.straight() ? 1.0 : piece.radius) * (piece.end - piece.begin);
+        const double part = (piece.end - piece.begin) / samples;
+        for (int k = 0; k < samples; ++k) {
+            if (takes_row(settings, piece.at(piece.begin + (k + 0.5) * part))) {
+                sum += (piece.straight() ? 1.0 : piece.radius) * part;
+            }
+        }
     }
     return sum;
+}
+
+std::vector<Vec2> row_of(const model::Region& region, const Relaxation& settings, const model::Spacing& size) {
+    std::vector<Vec2> row = boundary_row(region, size, settings.seed);
+    std::erase_if(row, [&](Vec2 place) { return !takes_row(settings, place); });
+    return row;
 }
 
 /// The distance h of neighbours at which `count` elements fit: full cells of sqrt(3)/2 h^2, and where a row stands on
@@ -37,7 +55,7 @@ double perimeter(const model::Region& region) {
 double spacing_for(const model::Region& region, const Relaxation& settings) {
     const auto count = static_cast<double>(settings.count);
     const double cells = region.area() / (0.5 * sqrt3);
-    const double row = settings.on_boundary ? 0.25 * perimeter(region) : 0.0;
+    const double row = settings.on_boundary ? 0.25 * row_length(region, settings) : 0.0;
     return (row + std::sqrt(row * row + count * cells)) / count;
 }
 
@@ -55,10 +73,11 @@ struct Sown {
 
 Sown sown(const model::Region& region, const Relaxation& settings, const model::Spacing& size) {
     Sown elements;
-    if (settings.on_boundary) elements.centre = boundary_row(region, size, settings.seed);
+    if (settings.on_boundary) elements.centre = row_of(region, settings, size);
     elements.on_boundary = elements.centre.size();
     const auto row = static_cast<double>(elements.on_boundary);
-    const Field field(region, size, settings.on_boundary ? row_depth : 0.0);
+    const bool all_round = settings.on_boundary && settings.boundary_within.bounds().empty();
+    const Field field(region, size, all_round ? row_depth : 0.0);
     const double room = settings.on_boundary ? Field(region, size, 0.0).elements() - 0.5 * row : field.elements();
     const double inside = settings.count > 0 ? static_cast<double>(settings.count) - row : std::round(room);
     if (inside < 0.5) return elements;

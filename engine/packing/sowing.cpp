@@ -12,7 +12,6 @@ namespace demlua::packing {
 
 namespace {
 
-constexpr double most_elements = 1e7;
 constexpr double coarseness = 0.5; ///< widest square, in distances of neighbours
 
 /// Area of a hexagonal cell over the square of the distance of neighbours.

@@ -11,6 +11,9 @@
 
 namespace demlua::packing {
 
+/// A pack of more is taken for a slip of the pen.
+inline constexpr double most_elements = 1e7;
+
 /// Squares that cover a region, about half an element wide, along a space-filling curve (Morton 1966); `elements` is how
 /// many full cells of the size asked for fit into each.
 class Field {

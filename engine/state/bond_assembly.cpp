@@ -154,6 +154,10 @@ FacetSet<Law> facets_of(const State& state, const BondedBody& said, double dampi
     bonds.grown_i.resize(bonds.size());
     bonds.grown_j.resize(bonds.size());
     bonds.pressure.resize(body.size());
+    if constexpr (Law::breaks) {
+        bonds.normal.resize(bonds.size());
+        bonds.shear.resize(bonds.size());
+    }
     if (damping > 0.0) add_dashpots(bonds, state.elements, damping);
     return bonds;
 }

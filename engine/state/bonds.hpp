@@ -88,6 +88,7 @@ struct FacetSet : BondTable<Law> {
     Column<law::BondMotion<double>> motion;
     Column<double> grown_i, grown_j; ///< growth_i.q, growth_j.q, m^2
     Column<double> pressure;         ///< p of each cell, N/m
+    Column<double> normal, shear;    ///< forces at the last instant, dashpots left out, N; only for laws that break
 };
 
 using AnyBondSet = law::ForEachBondLaw<BondSet, FacetSet, std::variant>;

@@ -44,7 +44,7 @@ void settle_broken(state::State& state, Bonds& bonds, const std::vector<Index>& 
             const std::size_t j = bonds.j[k];
             const law::BondMotion<double> motion = motion_of(bonds, elements, k);
             const law::BondForce<double> force = held_force(bonds, elements, k);
-            const double rate = rates_of(bonds, elements, k, motion).shear;
+            const law::BondForce<double> rate = rates_of(bonds, elements, k, motion);
             const double touch = elements.radius[i] + elements.radius[j];
             const double length = bonds.length[k] + motion.stretch;
             const double unstressed = length - force.normal / contact.Kn;
@@ -52,11 +52,16 @@ void settle_broken(state::State& state, Bonds& bonds, const std::vector<Index>& 
             const double overlap = reference - length;
 
             NewContact left{static_cast<Index>(i), static_cast<Index>(j), reference,
-                            inherited(contact, overlap, force.shear, rate * state.dt)};
+                            inherited(contact, overlap, force.shear, rate.shear * state.dt)};
             state::ContactHistory settled = left.history;
-            if (overlap > 0.0) settled.shear += rate * state.dt;
-            bonds.fracture_work +=
-                let_go(bonds, elements, k) - law::Coulomb::stored_energy(contact, overlap, settled);
+            if (overlap > 0.0) settled.shear += rate.shear * state.dt;
+            const law::BondForce<double> kept{-contact.Kn * std::max(overlap, 0.0), contact.Kt * settled.shear};
+            // The step that led here moved under the mean of the forces at its ends, not under the bond's alone.
+            const double moved_by_less = 0.5 * state.dt *
+                                         ((force.normal - kept.normal) * rate.normal +
+                                          (force.shear - kept.shear) * rate.shear);
+            bonds.fracture_work += let_go(bonds, elements, k) -
+                                   law::Coulomb::stored_energy(contact, overlap, settled) - moved_by_less;
             bonds.broken[k] = 1;
             ++bonds.broken_count;
             bonds.contact_length[k] = reference;

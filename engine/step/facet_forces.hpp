@@ -89,6 +89,10 @@ void press_cell(state::FacetSet<Law>& bonds, std::size_t e) {
 /// Writes the force on the elements of bond `k`; dashpot forces as they stand are added.
 template <class Law>
 DEMLUA_INLINE void put_force(state::FacetSet<Law>& bonds, std::size_t k, law::FacetVector<double> force) {
+    if constexpr (Law::breaks) {
+        bonds.normal[k] = force.normal;
+        bonds.shear[k] = force.shear;
+    }
     if (bonds.dashpots.present()) {
         force.normal += bonds.dashpots.normal[k];
         force.shear += bonds.dashpots.shear[k];
@@ -102,12 +106,12 @@ DEMLUA_INLINE void put_force(state::FacetSet<Law>& bonds, std::size_t k, law::Fa
     bonds.moment_j[k] = couple * (1.0 - bonds.share_i[k]) - force.turn;
 }
 
-/// A facet beyond its strength: what it bears before it yields, and its plastic state after.
+/// A facet beyond its strength: what it bore at the last instant, and its plastic state after.
 template <class Law>
 struct Failing {
     Index bond = 0;
     bool breaks = false;
-    law::FacetVector<double> force;
+    law::BondForce<double> borne;
     typename Law::template History<double> history;
 };
 
@@ -123,8 +127,9 @@ void facet_forces(state::FacetSet<Law>& bonds, const state::Elements& elements, 
             law::BondForce<double> dashpots{0.0, 0.0};
             add_dashpots(bonds, k, rates_of(bonds, elements, k, bonds.motion[k]), dt, dashpots);
         }
-        put_force(bonds, k, force);
         if constexpr (Law::breaks) {
+            const law::BondForce<double> borne{bonds.normal[k], bonds.shear[k]};
+            put_force(bonds, k, force);
             const law::ContactStiffness& spring = bonds.yielding[k];
             const auto before = bonds.history.at(k);
             auto history = before;
@@ -136,7 +141,9 @@ void facet_forces(state::FacetSet<Law>& bonds, const state::Elements& elements, 
             const bool breaks = Law::broken(params, 1.0, motion, history);
             if (!breaks && !Law::has_yielded(before, history)) continue;
             history.work = before.work;
-            failing.push_back({static_cast<Index>(k), breaks, force, history});
+            failing.push_back({static_cast<Index>(k), breaks, borne, history});
+        } else {
+            put_force(bonds, k, force);
         }
     }
 }
@@ -162,8 +169,9 @@ void refresh_around(state::FacetSet<Law>& bonds, const state::Elements& elements
     }
 }
 
-/// Lets the failing facets yield and books their plastic work: the energy that the network loses at once, which is the
-/// mean of the forces before and after times the plastic displacement. Returns the bonds that break, in their order.
+/// Lets the failing facets yield and books their plastic work: the mean of the forces at both ends of the step times the
+/// plastic displacement, which is what central difference takes out of motion and network together. Returns the bonds
+/// that break, in their order.
 template <class Law>
 std::vector<Index> settle_yielding(state::FacetSet<Law>& bonds, const state::Elements& elements,
                                    const std::vector<std::vector<Failing<Law>>>& parts) {
@@ -187,8 +195,8 @@ std::vector<Index> settle_yielding(state::FacetSet<Law>& bonds, const state::Ele
         for (const Failing<Law>& failing : part) {
             auto history = failing.history;
             const law::FacetVector<double> force = facet_force(bonds, elements, failing.bond);
-            history.work += 0.5 * ((failing.force.normal + force.normal) * slipped[n].normal +
-                                   (failing.force.shear + force.shear) * slipped[n].shear);
+            history.work += 0.5 * ((failing.borne.normal + force.normal) * slipped[n].normal +
+                                   (failing.borne.shear + force.shear) * slipped[n].shear);
             bonds.history.store(failing.bond, history);
             ++n;
         }
