@@ -28,7 +28,7 @@ struct RunSettings {
     int threads = 0;                                           ///< 0: as many as there are processors and work for
     double reading_time = 0.0;                                 ///< s
     std::shared_ptr<const packing::PackStore> packs = nullptr; ///< kept from run to run, or none
-    std::filesystem::path progress = {}; ///< file that tells the time reached; empty for none
+    std::filesystem::path progress = {};                       ///< file that tells the time reached; empty for none
 };
 
 class RunHost : public Host {

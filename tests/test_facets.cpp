@@ -69,8 +69,8 @@ double residual_inside(const state::State& state, const Eigen::Vector3d& strain)
         // Cells on the walls, whose elements lie up to 3 R deep, pass on what their walls would have to hold.
         if (depth_of(elements.position(k)) < 6.0 * elements.radius[k]) continue;
         const auto row = static_cast<Eigen::Index>(3 * k);
-        worst = std::max({worst, std::fabs(force[row]), std::fabs(force[row + 1]),
-                          std::fabs(force[row + 2]) / elements.radius[k]});
+        worst = std::max(
+            {worst, std::fabs(force[row]), std::fabs(force[row + 1]), std::fabs(force[row + 2]) / elements.radius[k]});
     }
     return worst / walls;
 }

@@ -12,8 +12,8 @@ namespace demlua::bonding {
 /// A bond between neighbouring cells as the law sees it.
 struct FacetBond {
     Pair pair;
-    double share_i = 0.5;  ///< of the bond's length that lies in the cell of i
-    law::FacetPart whole;  ///< the facet: its length is what carries the bond's traction
+    double share_i = 0.5; ///< of the bond's length that lies in the cell of i
+    law::FacetPart whole; ///< the facet: its length is what carries the bond's traction
     law::FacetSprings<double> springs;
     law::FacetVector<double> growth_i; ///< of the cell of i
     law::FacetVector<double> growth_j;

@@ -14,8 +14,10 @@ std::optional<Network> network_of(const Body& body) {
     if (body.rigid) return std::nullopt;
     const auto chosen = std::visit(
         [](const auto& bonds) -> std::optional<Network> {
-            if constexpr (std::is_same_v<std::decay_t<decltype(bonds)>, NoBonds>) return std::nullopt;
-            else return bonds.network;
+            if constexpr (std::is_same_v<std::decay_t<decltype(bonds)>, NoBonds>)
+                return std::nullopt;
+            else
+                return bonds.network;
         },
         body.bonds);
     if (chosen != Network::automatic) return chosen;

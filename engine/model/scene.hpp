@@ -23,10 +23,10 @@ enum class Plane { stress, strain };
 
 struct Material {
     std::string name;
-    double youngs_modulus = 0.0;              ///< Pa
-    double poissons_ratio = 0.0;              ///< at most 1/3 (plane stress) or 1/4 (strain) for bonds other than facets
-    double density = 0.0;                     ///< kg/m^3
-    std::optional<double> tensile_strength;   ///< Pa
+    double youngs_modulus = 0.0;            ///< Pa
+    double poissons_ratio = 0.0;            ///< at most 1/3 (plane stress) or 1/4 (strain) for bonds other than facets
+    double density = 0.0;                   ///< kg/m^3
+    std::optional<double> tensile_strength; ///< Pa
     std::optional<double> fracture_toughness; ///< Pa m^0.5
     double rate_factor = 1.0;                 ///< constant factor on tensile strength and on fracture energy
     double friction = 0.0;                    ///< Coulomb coefficient

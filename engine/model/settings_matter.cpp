@@ -72,8 +72,9 @@ const WordOf<Material>& material() {
         {
             row<&Material::name>("name", optional, "as messages call it"),
             row<&Material::youngs_modulus>("youngs_modulus", "Pa", required, positive, "Young's modulus"),
-            row<&Material::poissons_ratio>("poissons_ratio", "", required, ratio,
-                                           "Poisson's ratio; bonds other than facets take at most 1/3 in plane stress, 1/4 in plane strain"),
+            row<&Material::poissons_ratio>(
+                "poissons_ratio", "", required, ratio,
+                "Poisson's ratio; bonds other than facets take at most 1/3 in plane stress, 1/4 in plane strain"),
             row<&Material::density>("density", "kg/m^3", required, positive, "mass per volume of the solid"),
             row<&Material::tensile_strength>("tensile_strength", "Pa", optional, positive,
                                              "needed by bonds that break"),
@@ -224,8 +225,9 @@ const WordOf<ElasticBonds>& elastic() {
         "dem.elastic", "Bonds that never break.", "a bond law", "dem.elastic { damping = 0.02 }",
         {
             choice<&ElasticBonds::network, network_names>("stiffness", network_meaning),
-            row<&ElasticBonds::search>("search", "", optional, non_negative,
-                                       "elements that touch are bonded across gaps below this share of their mean radius"),
+            row<&ElasticBonds::search>(
+                "search", "", optional, non_negative,
+                "elements that touch are bonded across gaps below this share of their mean radius"),
             row<&ElasticBonds::damping>("damping", "", optional, non_negative,
                                         "dashpots beside the springs, fraction of critical of one bond"),
         });
@@ -240,8 +242,9 @@ const WordOf<PlateauBonds>& plateau() {
         "a bond law", "dem.plateau { search = 0.1, damping = 0.02 }",
         {
             choice<&PlateauBonds::network, network_names>("stiffness", network_meaning),
-            row<&PlateauBonds::search>("search", "", optional, non_negative,
-                                       "elements that touch are bonded across gaps below this share of their mean radius"),
+            row<&PlateauBonds::search>(
+                "search", "", optional, non_negative,
+                "elements that touch are bonded across gaps below this share of their mean radius"),
             row<&PlateauBonds::damping>("damping", "", optional, non_negative,
                                         "dashpots beside the springs, fraction of critical of one bond"),
             row<&PlateauBonds::break_in_shear>("break_in_shear", optional,

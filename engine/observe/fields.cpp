@@ -153,8 +153,7 @@ void add_bond(const state::State& state, const Bonds& bonds, std::size_t k, Bond
     const law::BondMotion<double> motion = step::motion_of(bonds, state.elements, k);
     const bool gone = bonds.is_broken(k);
     const double damage = bond_damage(bonds, k);
-    const law::BondForce<double> force =
-        gone ? law::BondForce<double>{} : step::held_force(bonds, state.elements, k);
+    const law::BondForce<double> force = gone ? law::BondForce<double>{} : step::held_force(bonds, state.elements, k);
     columns.state.push_back(gone ? broken : (damage > 0.0 ? plastic : intact));
     columns.normal.push_back(force.normal);
     columns.shear.push_back(force.shear);

@@ -82,11 +82,11 @@ std::vector<std::string> warnings(const model::Scene& scene, const state::State&
         if (!plane) continue;
         const law::PlaneModuli real = law::solid_moduli(*plane, scene.plane == model::Plane::strain);
         const model::Material& said = scene.materials[scene.bodies[row].material];
-        sentences.push_back(fmt::format(
-            "warning: {} behaves as E = {:.3g} Pa and nu = {:.2f}, not {:.3g} Pa and {:.2f}: eqs 15 and 16 are exact for "
-            "close packing only; stiffness = \"facets\" is exact on any pack",
-            scene.bodies[row].name, real.youngs_modulus, real.poissons_ratio, said.youngs_modulus,
-            said.poissons_ratio));
+        sentences.push_back(fmt::format("warning: {} behaves as E = {:.3g} Pa and nu = {:.2f}, not {:.3g} Pa and "
+                                        "{:.2f}: eqs 15 and 16 are exact for "
+                                        "close packing only; stiffness = \"facets\" is exact on any pack",
+                                        scene.bodies[row].name, real.youngs_modulus, real.poissons_ratio,
+                                        said.youngs_modulus, said.poissons_ratio));
     }
     return sentences;
 }

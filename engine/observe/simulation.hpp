@@ -97,7 +97,8 @@ public:
     [[nodiscard]] std::size_t bond_count() const;
     [[nodiscard]] std::size_t contact_count() const; ///< touching now
     [[nodiscard]] std::size_t broken_bonds() const;
-    [[nodiscard]] double crack_length() const;   ///< m, sum over broken bonds of their facets, or else of the mean diameter of their elements
+    [[nodiscard]] double
+    crack_length() const; ///< m, sum over broken bonds of their facets, or else of the mean diameter of their elements
     [[nodiscard]] std::size_t fragments() const; ///< parts held together by bonds that are not broken
     [[nodiscard]] Ledger ledger() const;
     [[nodiscard]] Momentum momentum() const;

@@ -105,18 +105,18 @@ law::ContactStiffness row_stiffness(const FacetSet<Law>& bonds, const std::vecto
     const law::FacetVector<double>& g_i = bonds.growth_i[k];
     const law::FacetVector<double>& g_j = bonds.growth_j[k];
     const law::FacetSprings<double>& K = bonds.springs[k];
-    return {K.nn + std::abs(K.nt) + coupled(bonds.i[k], g_i.normal) +
-                coupled(bonds.j[k], g_j.normal),
-            K.tt + std::abs(K.nt) + coupled(bonds.i[k], g_i.shear) +
-                coupled(bonds.j[k], g_j.shear)};
+    return {K.nn + std::abs(K.nt) + coupled(bonds.i[k], g_i.normal) + coupled(bonds.j[k], g_j.normal),
+            K.tt + std::abs(K.nt) + coupled(bonds.i[k], g_i.shear) + coupled(bonds.j[k], g_j.shear)};
 }
 
 template <class Law>
 void find_yielding_stiffness(FacetSet<Law>& bonds) {
     std::vector<double> grown(bonds.pressure_per_growth.size());
     for (std::size_t k = 0; k < bonds.size(); ++k) {
-        grown[bonds.i[k] - bonds.incidence.first] += std::abs(bonds.growth_i[k].normal) + std::abs(bonds.growth_i[k].shear);
-        grown[bonds.j[k] - bonds.incidence.first] += std::abs(bonds.growth_j[k].normal) + std::abs(bonds.growth_j[k].shear);
+        grown[bonds.i[k] - bonds.incidence.first] +=
+            std::abs(bonds.growth_i[k].normal) + std::abs(bonds.growth_i[k].shear);
+        grown[bonds.j[k] - bonds.incidence.first] +=
+            std::abs(bonds.growth_j[k].normal) + std::abs(bonds.growth_j[k].shear);
     }
     for (std::size_t k = 0; k < bonds.size(); ++k) bonds.yielding.push_back(row_stiffness(bonds, grown, k));
 }
@@ -131,8 +131,7 @@ FacetSet<Law> facets_of(const State& state, const BondedBody& said, double dampi
         centre.push_back(state.elements.position(k));
         radius.push_back(state.elements.radius[k]);
     }
-    const bonding::FacetNetwork network =
-        bonding::facet_network(*said.cells, centre, radius, moduli, state.thickness);
+    const bonding::FacetNetwork network = bonding::facet_network(*said.cells, centre, radius, moduli, state.thickness);
     FacetSet<Law> bonds;
     bonds.tractions = tractions;
     bonds.body = said.body;
@@ -185,8 +184,8 @@ Derived<law::Elastic> derived(const model::ElasticBonds& /*said*/, const model::
     return {law::Elastic::derive(k), {}};
 }
 
-Derived<law::Plateau> derived(const model::PlateauBonds& said, const model::Material& material,
-                              law::PlaneModuli moduli, law::ContactStiffness k, double thickness) {
+Derived<law::Plateau> derived(const model::PlateauBonds& said, const model::Material& material, law::PlaneModuli moduli,
+                              law::ContactStiffness k, double thickness) {
     const double strength = material.tensile_strength.value();
     const double toughness = material.fracture_toughness.value();
     return {law::Plateau::derive(k, moduli, thickness, strength, toughness, material.rate_factor, said.break_in_shear),
@@ -218,8 +217,8 @@ std::optional<AnyBondSet> bond_body(const State& state, const BondedBody& said, 
             if constexpr (std::is_same_v<std::decay_t<decltype(bonds)>, model::NoBonds>) {
                 return std::nullopt;
             } else {
-                AnyBondSet set = bonds_of(state, said, bonds, moduli,
-                                          derived(bonds, material, moduli, k, state.thickness));
+                AnyBondSet set =
+                    bonds_of(state, said, bonds, moduli, derived(bonds, material, moduli, k, state.thickness));
                 const bool empty = std::visit([](const auto& made) { return made.size() == 0; }, set);
                 return empty ? std::nullopt : std::optional<AnyBondSet>(std::move(set));
             }

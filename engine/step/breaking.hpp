@@ -57,11 +57,10 @@ void settle_broken(state::State& state, Bonds& bonds, const std::vector<Index>& 
             if (overlap > 0.0) settled.shear += rate.shear * state.dt;
             const law::BondForce<double> kept{-contact.Kn * std::max(overlap, 0.0), contact.Kt * settled.shear};
             // The step that led here moved under the mean of the forces at its ends, not under the bond's alone.
-            const double moved_by_less = 0.5 * state.dt *
-                                         ((force.normal - kept.normal) * rate.normal +
-                                          (force.shear - kept.shear) * rate.shear);
-            bonds.fracture_work += let_go(bonds, elements, k) -
-                                   law::Coulomb::stored_energy(contact, overlap, settled) - moved_by_less;
+            const double moved_by_less =
+                0.5 * state.dt * ((force.normal - kept.normal) * rate.normal + (force.shear - kept.shear) * rate.shear);
+            bonds.fracture_work +=
+                let_go(bonds, elements, k) - law::Coulomb::stored_energy(contact, overlap, settled) - moved_by_less;
             bonds.broken[k] = 1;
             ++bonds.broken_count;
             bonds.contact_length[k] = reference;

@@ -70,7 +70,8 @@ Stress mean_stress(const state::State& state, const state::BondSet<Law>& bonds, 
     for (std::size_t k = 0; k < bonds.size(); ++k) {
         const std::size_t i = bonds.i[k] - first;
         const std::size_t j = bonds.j[k] - first;
-        const double weight = (middle.inside[i] ? bonds.share_i[k] : 0.0) + (middle.inside[j] ? 1.0 - bonds.share_i[k] : 0.0);
+        const double weight =
+            (middle.inside[i] ? bonds.share_i[k] : 0.0) + (middle.inside[j] ? 1.0 - bonds.share_i[k] : 0.0);
         if (bonds.is_broken(k) || weight == 0.0) continue;
         const Vec2 D{bonds.Dx[k], bonds.Dy[k]};
         const Vec2 n = D / bonds.length[k];
@@ -92,7 +93,8 @@ Eigen::SparseMatrix<double> picking(const state::Body& body, const Middle& middl
     std::vector<Eigen::Triplet<double>> entries;
     Eigen::Index row = 0;
     for (const std::size_t k : middle.elements) {
-        for (int f = 0; f < 3; ++f) entries.emplace_back(row++, static_cast<Eigen::Index>(3 * (k - body.first)) + f, 1.0);
+        for (int f = 0; f < 3; ++f)
+            entries.emplace_back(row++, static_cast<Eigen::Index>(3 * (k - body.first)) + f, 1.0);
     }
     Eigen::SparseMatrix<double> pick(row, static_cast<Eigen::Index>(3 * body.size()));
     pick.setFromTriplets(entries.begin(), entries.end());
@@ -114,8 +116,7 @@ std::optional<law::PlaneModuli> moduli_of(const state::State& state, const state
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(inner);
     Eigen::Matrix3d stiffness;
     for (int c = 0; c < 3; ++c) {
-        const Eigen::VectorXd u =
-            settled(state, body, K, solver, pick, Eigen::Vector3d::Unit(c));
+        const Eigen::VectorXd u = settled(state, body, K, solver, pick, Eigen::Vector3d::Unit(c));
         stiffness.col(c) = mean_stress(state, bonds, middle, u);
     }
     const double along = 0.5 * (stiffness(0, 0) + stiffness(1, 1));

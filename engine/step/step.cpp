@@ -48,9 +48,8 @@ void compute_bonds(state::State& state, Stepper& stepper, state::FacetSet<Law>& 
     stepper.team.share(bonds.pressure.size(), [&](Share part) {
         for (std::size_t e = part.begin; e < part.end; ++e) press_cell(bonds, e);
     });
-    stepper.team.share(bonds.size(), [&](Share part) {
-        facet_forces(bonds, state.elements, state.dt, part, failing[part.part]);
-    });
+    stepper.team.share(bonds.size(),
+                       [&](Share part) { facet_forces(bonds, state.elements, state.dt, part, failing[part.part]); });
     if constexpr (Law::breaks) {
         std::vector<NewContact> contacts;
         const std::vector<Index> breaking = settle_yielding(bonds, state.elements, failing);
