@@ -6,6 +6,7 @@
 #include "engine/step/springs.hpp"
 #include "engine/step/step.hpp"
 #include "tests/catch.hpp"
+#include "tests/patches.hpp"
 #include "tests/scenes.hpp"
 
 #include <algorithm>
@@ -45,24 +46,12 @@ model::Scene elastic_pack(double nu, std::uint64_t count, std::uint64_t seed) {
     return scene;
 }
 
-/// Displacements of the uniform strain (xx, yy, xy).
-Eigen::VectorXd strained(const state::State& state, const Eigen::Vector3d& strain) {
-    Eigen::VectorXd u = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(3 * state.elements.size()));
-    for (std::size_t k = 0; k < state.elements.size(); ++k) {
-        const Vec2 at = state.elements.position(k);
-        const auto row = static_cast<Eigen::Index>(3 * k);
-        u[row] = strain[0] * at.x + strain[2] * at.y;
-        u[row + 1] = strain[2] * at.x + strain[1] * at.y;
-    }
-    return u;
-}
-
-double depth_of(Vec2 at) { return std::min({at.x, size.x - at.x, at.y, size.y - at.y}); }
+double depth_of(Vec2 at) { return test::depth_in(size, at); }
 
 /// Greatest unbalanced force inside a pack under a uniform strain, relative to what its walls need.
 double residual_inside(const state::State& state, const Eigen::Vector3d& strain) {
     const state::Elements& elements = state.elements;
-    const Eigen::VectorXd force = step::springs_of(state).times(1.0, 0.0, strained(state, strain));
+    const Eigen::VectorXd force = step::springs_of(state).times(1.0, 0.0, test::strained(state, strain));
     const double walls = force.cwiseAbs().maxCoeff();
     double worst = 0.0;
     for (std::size_t k = 0; k < elements.size(); ++k) {
@@ -124,7 +113,7 @@ TEST_CASE("a pull along free walls is in equilibrium up to the walls of a relaxe
     relaxed.on_boundary = true;
     scene.bodies[0].packing = relaxed;
     const state::State state = state::assemble(scene).state;
-    const Eigen::VectorXd force = step::springs_of(state).times(1.0, 0.0, strained(state, {1.0, -nu, 0.0}));
+    const Eigen::VectorXd force = step::springs_of(state).times(1.0, 0.0, test::strained(state, {1.0, -nu, 0.0}));
     const double ends = force.cwiseAbs().maxCoeff();
     double worst = 0.0;
     for (std::size_t k = 0; k < state.elements.size(); ++k) {

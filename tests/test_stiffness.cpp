@@ -2,6 +2,7 @@
 #include "engine/state/assemble.hpp"
 #include "engine/step/springs.hpp"
 #include "tests/catch.hpp"
+#include "tests/patches.hpp"
 #include "tests/scenes.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -35,19 +36,7 @@ model::Scene scene_with(double nu, model::Plane plane, const model::PackingChoic
     return scene;
 }
 
-/// Displacements of the uniform strain (xx, yy, xy) about the origin.
-Eigen::VectorXd strained(const state::State& state, const Eigen::Vector3d& strain) {
-    Eigen::VectorXd u = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(3 * state.elements.size()));
-    for (std::size_t k = 0; k < state.elements.size(); ++k) {
-        const Vec2 at = state.elements.position(k);
-        const auto row = static_cast<Eigen::Index>(3 * k);
-        u[row] = strain[0] * at.x + strain[2] * at.y;
-        u[row + 1] = strain[2] * at.x + strain[1] * at.y;
-    }
-    return u;
-}
-
-double depth_of(Vec2 at) { return std::min({at.x, size.x - at.x, at.y, size.y - at.y}); }
+double depth_of(Vec2 at) { return test::depth_in(size, at); }
 
 /// A patch at rest: displacements and rotations of the elements up to `rim` deep are given, the others found.
 struct Patch {
@@ -65,7 +54,7 @@ struct Patch {
     /// Greatest difference of the equilibrium from the uniform strain, relative to the largest displacement; rotations
     /// times the radius.
     [[nodiscard]] double deviation(const Eigen::Vector3d& strain) const {
-        const Eigen::VectorXd uniform = strained(state, strain);
+        const Eigen::VectorXd uniform = test::strained(state, strain);
         std::vector<Eigen::Triplet<double>> entries;
         Eigen::Index row = 0;
         for (const std::size_t k : inside) {
@@ -101,7 +90,8 @@ struct Patch {
             const Vec2 D{bonds.Dx[k], bonds.Dy[k]};
             const Vec2 n = D / bonds.length[k];
             const Vec2 du{strain[0] * D.x + strain[2] * D.y, strain[2] * D.x + strain[1] * D.y};
-            const Vec2 f = bonds.params.Kn * dot(du, n) * n + bonds.params.Kt * dot(du, turned_left(n)) * turned_left(n);
+            const Vec2 f =
+                bonds.params.Kn * dot(du, n) * n + bonds.params.Kt * dot(du, turned_left(n)) * turned_left(n);
             for (const Index element : {bonds.i[k], bonds.j[k]}) {
                 if (depth_of(state.elements.position(element)) <= depth * state.elements.radius[element]) continue;
                 virial += 0.5 * Eigen::Vector3d{f.x * D.x, f.y * D.y, 0.5 * (f.x * D.y + f.y * D.x)};

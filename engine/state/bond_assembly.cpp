@@ -1,7 +1,7 @@
 #include "engine/state/bond_assembly.hpp"
 
 #include "engine/bonding/bonding.hpp"
-#include "engine/bonding/facets.hpp"
+#include "engine/state/facet_assembly.hpp"
 #include "engine/state/incidence.hpp"
 
 #include <algorithm>
@@ -94,33 +94,6 @@ void add_dashpots(Bonds& bonds, const Elements& elements, double fraction) {
     }
 }
 
-/// Stiffness that facet k meets when all facets of both its cells yield together: the sum of its row, magnitudes taken,
-/// so that facets that yield at once do not let go of more than they must.
-template <class Law>
-law::ContactStiffness row_stiffness(const FacetSet<Law>& bonds, const std::vector<double>& grown, std::size_t k) {
-    const auto coupled = [&](Index element, double own) {
-        const std::size_t e = element - bonds.incidence.first;
-        return bonds.pressure_per_growth[e] * std::abs(own) * grown[e];
-    };
-    const law::FacetVector<double>& g_i = bonds.growth_i[k];
-    const law::FacetVector<double>& g_j = bonds.growth_j[k];
-    const law::FacetSprings<double>& K = bonds.springs[k];
-    return {K.nn + std::abs(K.nt) + coupled(bonds.i[k], g_i.normal) + coupled(bonds.j[k], g_j.normal),
-            K.tt + std::abs(K.nt) + coupled(bonds.i[k], g_i.shear) + coupled(bonds.j[k], g_j.shear)};
-}
-
-template <class Law>
-void find_yielding_stiffness(FacetSet<Law>& bonds) {
-    std::vector<double> grown(bonds.pressure_per_growth.size());
-    for (std::size_t k = 0; k < bonds.size(); ++k) {
-        grown[bonds.i[k] - bonds.incidence.first] +=
-            std::abs(bonds.growth_i[k].normal) + std::abs(bonds.growth_i[k].shear);
-        grown[bonds.j[k] - bonds.incidence.first] +=
-            std::abs(bonds.growth_j[k].normal) + std::abs(bonds.growth_j[k].shear);
-    }
-    for (std::size_t k = 0; k < bonds.size(); ++k) bonds.yielding.push_back(row_stiffness(bonds, grown, k));
-}
-
 template <class Law>
 FacetSet<Law> facets_of(const State& state, const BondedBody& said, double damping, const law::FacetModuli& moduli,
                         const typename Law::Tractions& tractions) {
@@ -136,27 +109,7 @@ FacetSet<Law> facets_of(const State& state, const BondedBody& said, double dampi
     bonds.tractions = tractions;
     bonds.body = said.body;
     lay_out(bonds, state, neighbours(*said.cells));
-    for (std::size_t k = 0; k < network.bonds.size(); ++k) {
-        const bonding::FacetBond& bond = network.bonds[k];
-        bonds.share_i[k] = bond.share_i;
-        bonds.springs.push_back(bond.springs);
-        bonds.growth_i.push_back(bond.growth_i);
-        bonds.growth_j.push_back(bond.growth_j);
-        bonds.area.push_back(bond.whole.area);
-        bonds.centre.push_back(bond.whole.centre);
-    }
-    for (const double volume : network.volume) {
-        bonds.pressure_per_growth.push_back(volume > 0.0 ? state.thickness * moduli.lame / volume : 0.0);
-    }
-    find_yielding_stiffness(bonds);
-    bonds.motion.resize(bonds.size());
-    bonds.grown_i.resize(bonds.size());
-    bonds.grown_j.resize(bonds.size());
-    bonds.pressure.resize(body.size());
-    if constexpr (Law::breaks) {
-        bonds.normal.resize(bonds.size());
-        bonds.shear.resize(bonds.size());
-    }
+    fill_facets(bonds, network, state.thickness * moduli.lame);
     if (damping > 0.0) add_dashpots(bonds, state.elements, damping);
     return bonds;
 }

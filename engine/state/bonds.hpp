@@ -81,14 +81,16 @@ struct FacetSet : BondTable<Law> {
     Column<law::FacetVector<double>> growth_i, growth_j; ///< of the cells of i and j with q
     Column<double> area;                                 ///< of the facet, m
     Column<double> centre;                               ///< of the facet, from the bond's line along t, m
-    Column<law::ContactStiffness> yielding; ///< stiffness that a yielding facet meets, its neighbours' at most, N/m
-    Column<double> pressure_per_growth;     ///< b lam/V of each cell, N/m^3; rows from the body's first element on
+    Column<double> pressure_per_growth; ///< b lam/V of each cell, N/m^3; rows from the body's first element on
 
     // as computed in the first of the two passes of a step
     Column<law::BondMotion<double>> motion;
     Column<double> grown_i, grown_j; ///< growth_i.q, growth_j.q, m^2
     Column<double> pressure;         ///< p of each cell, N/m
-    Column<double> normal, shear;    ///< forces at the last instant, dashpots left out, N; only for laws that break
+
+    // only for laws that break
+    Column<double> normal, shear;           ///< forces at the last instant, dashpots left out, N
+    Column<law::ContactStiffness> yielding; ///< what a facet meets that yields with all its neighbours, N/m
 };
 
 using AnyBondSet = law::ForEachBondLaw<BondSet, FacetSet, std::variant>;
