@@ -3,6 +3,7 @@
 -- See:      `demlua study`: an amplitude within half a per cent of finite elements with 27 rows. --set height=rows compares
 --           with the slab the rows fill, --set wall=false holds the first column in place of one more.
 -- Takes:    seconds; the study two to three minutes on two cores, nearly all of it with 27 rows.
+-- Quick:    no
 local dem = require "dem"
 
 dem.study {
