@@ -18,7 +18,7 @@ dem.study {
 }
 local function size(x, y)
   if not p.graded then return p.fine end
-  return p.fine * (1 + 2 * x / length) * (1 + (height - y) / (3 * height))
+  return p.fine * (1 + 3 * (x / length) ^ 3) * (1 + (height - y) / (2 * height) * (1 - x / length))
 end
 
 local sim = dem.simulation { title = "Cantilever of a graded pack", plane = "stress" }
