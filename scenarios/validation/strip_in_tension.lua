@@ -18,10 +18,10 @@ local length, height, stretch = 3.0, 1.0, 1e-9 -- m, m, m
 local by_pairs = p.plane == "stress" and p.nu <= 1 / 3 -- what eqs 15 and 16 allow
 
 dem.study {
-  vary = { count = { 1500, 3000, 6000 }, stiffness = by_pairs and { "facets", "delaunay", "contacts" } or { "facets" } },
+  vary = { count = { 1500, 3000 }, stiffness = by_pairs and { "facets", "delaunay", "contacts" } or { "facets" } },
   size = function(q) return math.sqrt(length * height / q.count) end, seeds = 3,
   measure = "modulus", reference = 1, unit = "Pa",
-  tolerance = function(q) return ({ facets = 2e-3, delaunay = 0.03, contacts = 0.6 })[q.stiffness or "facets"] end,
+  tolerance = function(q) return ({ facets = 2e-3, delaunay = 0.05, contacts = 0.6 })[q.stiffness or "facets"] end,
   because = "facets: the held ends disturb the middle by exp(-4.2 x/H), 0.5 % at its rim; delaunay and contacts: their error is what is shown",
   source = "the material's own",
 }
