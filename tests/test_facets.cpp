@@ -3,6 +3,7 @@
 #include "engine/observe/ledger.hpp"
 #include "engine/observe/stress.hpp"
 #include "engine/state/assemble.hpp"
+#include "engine/state/loading.hpp"
 #include "engine/step/springs.hpp"
 #include "engine/step/step.hpp"
 #include "tests/catch.hpp"
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 using namespace demlua;
 using Catch::Approx;
@@ -216,4 +218,20 @@ TEST_CASE("a scene turned and shifted as a whole has the same forces to round-of
     }
     // Coordinates of 3 m against stretches of 1e-5 m cost five digits of sixteen.
     CHECK(worst < 1e-9 * largest);
+}
+
+TEST_CASE("a traction acts on the whole of its side and nothing more, however the other sides stand") {
+    // An upright end 0.1 m high that begins above the region's lowest point: force = stress times height times thickness.
+    model::Scene scene = elastic_pack(0.3, 0, 1);
+    scene.bodies[0].region = model::Region::polygon({{0.0, 0.0}, {0.3, 0.12}, {0.3, 0.22}, {0.0, 0.1}});
+    model::Relaxation relaxed;
+    relaxed.count = 300;
+    relaxed.on_boundary = true;
+    scene.bodies[0].packing = relaxed;
+    model::Traction traction;
+    traction.selection = test::side_of(0, model::Side::right);
+    traction.stress_y = Signal::constant(1e3);
+    const state::State state = state::assemble(scene).state;
+    const Column<double> share = state::load_of(traction, scene.bodies[0], state).share;
+    CHECK(std::accumulate(share.begin(), share.end(), 0.0) == Approx(0.1 * state.thickness).epsilon(1e-9));
 }

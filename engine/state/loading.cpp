@@ -43,9 +43,18 @@ Drive drive_of(const Column<Index>& rows, const State& state, Freedom freedom, c
 
 bool runs_along_x(model::Side side) { return side == model::Side::top || side == model::Side::bottom; }
 
-/// Where the loaded side ends: at the region's edge, but within the end element's disk.
-double end_of_side(double edge, double centre, double radius) {
-    return std::clamp(edge, centre - radius, centre + radius);
+/// How far (m) a loaded side goes on beyond its end element: to the region's edge, but within the element's disk.
+double side_beyond(const model::Region& region, Vec2 centre, Vec2 along, double radius) {
+    const double on_edge = 1e-10 * radius;
+    const auto inside = [&](double beyond) { return region.distance(centre + beyond * along) <= on_edge; };
+    if (region.bounds().empty() || inside(radius)) return radius;
+    double near = 0.0;
+    double far = radius;
+    for (int halving = 0; halving < 50; ++halving) {
+        const double middle = 0.5 * (near + far);
+        (inside(middle) ? near : far) = middle;
+    }
+    return near;
 }
 
 } // namespace
@@ -95,15 +104,14 @@ Load load_of(const model::Traction& traction, const model::Body& body, const Sta
     std::stable_sort(load.element.begin(), load.element.end(),
                      [&](Index a, Index b) { return place_along(a) < place_along(b); });
 
-    const Box box = body.region.bounds();
-    const double first_edge = along_x ? box.lower.x : box.lower.y;
-    const double last_edge = along_x ? box.upper.x : box.upper.y;
+    const Vec2 along = along_x ? Vec2{1.0, 0.0} : Vec2{0.0, 1.0};
+    const auto beyond = [&](Index k, Vec2 way) {
+        return side_beyond(body.region, elements.position(k), way, elements.radius[k]);
+    };
     const Index first = load.element.front();
     const Index last = load.element.back();
-    double begin = box.empty() ? place_along(first) - elements.radius[first]
-                               : end_of_side(first_edge, place_along(first), elements.radius[first]);
-    const double end = box.empty() ? place_along(last) + elements.radius[last]
-                                   : end_of_side(last_edge, place_along(last), elements.radius[last]);
+    double begin = place_along(first) - beyond(first, -along);
+    const double end = place_along(last) + beyond(last, along);
     for (std::size_t n = 0; n < load.element.size(); ++n) {
         const bool is_last = n + 1 == load.element.size();
         const double next = is_last ? end : 0.5 * (place_along(load.element[n]) + place_along(load.element[n + 1]));
