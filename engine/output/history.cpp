@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
+#include <fstream>
+#include <map>
+#include <sstream>
 #include <utility>
 
 namespace demlua::output {
@@ -31,47 +33,73 @@ std::vector<std::string> names_of(const observe::HistoryRow& row) {
     return names;
 }
 
-/// The first name that `names` holds and `others` does not.
-std::string odd_one(const std::vector<std::string>& names, const std::vector<std::string>& others) {
-    for (const std::string& name : names) {
-        if (std::find(others.begin(), others.end(), name) == others.end()) return name;
+/// `names` with those of `now` that are new, each after the one it follows in `now`.
+std::vector<std::string> joined(std::vector<std::string> names, const std::vector<std::string>& now) {
+    auto after = names.begin();
+    for (const std::string& name : now) {
+        const auto known = std::find(names.begin(), names.end(), name);
+        after = (known != names.end() ? known : names.insert(after, name)) + 1;
     }
-    return {};
+    return names;
 }
 
-[[noreturn]] void complain_of_change(const std::vector<std::string>& header, const std::vector<std::string>& now) {
-    const std::string added = odd_one(now, header);
-    const std::string gone = odd_one(header, now);
-    const std::string what = !added.empty()  ? fmt::format("column {} is new", added)
-                             : !gone.empty() ? fmt::format("column {} is missing", gone)
-                                             : std::string("the columns stand in another order");
-    throw RunError(fmt::format("history: {}: every row of a run has the columns of the first", what));
+std::vector<std::string> cells_of(const std::string& line) {
+    std::vector<std::string> cells;
+    std::istringstream stream(line);
+    for (std::string each; std::getline(stream, each, ',');) cells.push_back(each);
+    return cells;
+}
+
+/// One line of a table whose columns are `names`; cells without a value are empty.
+template <class ValueOf>
+std::string line_of(const std::vector<std::string>& names, const ValueOf& value_of) {
+    std::string line;
+    for (const std::string& name : names) line += (&name == &names.front() ? "" : ",") + value_of(name);
+    return line;
 }
 
 } // namespace
 
-HistoryFile::HistoryFile(std::filesystem::path file) : file_(std::move(file)) {}
+HistoryFile::HistoryFile(std::filesystem::path file) : path_(std::move(file)), file_(path_) {}
 
-void HistoryFile::begin(const observe::HistoryRow& row) {
-    columns_ = names_of(row);
-    auto sorted = columns_;
+void HistoryFile::begin(const std::vector<std::string>& names) {
+    auto sorted = names;
     std::sort(sorted.begin(), sorted.end());
     const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
     if (twice != sorted.end()) throw RunError(fmt::format("history: two columns are called {}", *twice));
-    std::string header;
-    for (const std::string& name : columns_) header += (header.empty() ? "" : ",") + cell(name);
-    file_.line(header);
+    file_.line(line_of(names, cell));
+    columns_ = names;
+}
+
+void HistoryFile::widen(const std::vector<std::string>& names) {
+    std::vector<std::string> lines;
+    {
+        std::ifstream written(path_);
+        std::string line;
+        std::getline(written, line);
+        while (std::getline(written, line)) lines.push_back(line);
+    }
+    const std::vector<std::string> before = columns_;
+    file_ = TextFile(path_);
+    begin(names);
+    for (const std::string& line : lines) {
+        std::map<std::string, std::string> values;
+        const std::vector<std::string> cells = cells_of(line);
+        for (std::size_t k = 0; k < cells.size(); ++k) values[before[k]] = cells[k];
+        file_.line(line_of(columns_, [&](const std::string& name) { return values[name]; }));
+    }
 }
 
 void HistoryFile::add(const observe::HistoryRow& row) {
-    if (columns_.empty()) begin(row);
     const auto now = names_of(row);
-    if (now != columns_) complain_of_change(columns_, now);
-    std::string line;
-    for (std::size_t k = 0; k < row.size(); ++k) {
-        fmt::format_to(std::back_inserter(line), "{}{}", k == 0 ? "" : ",", row[k].second);
+    if (columns_.empty()) begin(now);
+    if (now != columns_) {
+        const std::vector<std::string> all = joined(columns_, now);
+        if (all != columns_) widen(all);
     }
-    file_.line(line);
+    std::map<std::string, std::string> values;
+    for (const auto& [name, value] : row) values[name] = fmt::format("{}", value);
+    file_.line(line_of(columns_, [&](const std::string& name) { return values[name]; }));
 }
 
 } // namespace demlua::output

@@ -10,18 +10,21 @@
 
 namespace demlua::output {
 
-/// The first row's names make the header. Numbers have as many digits as it takes to read the same number back.
+/// The rows' names make the header. A name that comes later, as when a load is added between runs, makes a column that is
+/// empty above; a name that goes leaves cells empty. Numbers have as many digits as it takes to read the same number back.
 class HistoryFile {
 public:
     /// Throws RunError when the file cannot be made.
     explicit HistoryFile(std::filesystem::path file);
 
-    /// Throws RunError when the file cannot be written, two columns have one name, or the names are not the header's.
+    /// Throws RunError when the file cannot be written, or two columns have one name.
     void add(const observe::HistoryRow& row);
 
 private:
-    void begin(const observe::HistoryRow& row);
+    void begin(const std::vector<std::string>& names);
+    void widen(const std::vector<std::string>& names);
 
+    std::filesystem::path path_;
     TextFile file_;
     std::vector<std::string> columns_;
 };
