@@ -5,6 +5,7 @@
 #include <cmath>
 
 using namespace demlua;
+using Catch::Approx;
 using study::Levels;
 
 namespace {

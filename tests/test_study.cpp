@@ -8,6 +8,7 @@
 #include <cmath>
 
 using namespace demlua;
+using Catch::Approx;
 using namespace demlua::study;
 
 namespace {
