@@ -153,7 +153,7 @@ TEST_CASE("a spinning pack of facets keeps its energy and angular momentum") {
     CHECK(momentum_drift < 1e-11);
 }
 
-TEST_CASE("an elastic pack pressed together by a quarter gives its energy back") {
+TEST_CASE("an elastic pack pressed together by a quarter and let go keeps its energy in the ledger") {
     model::Scene scene = elastic_pack(0.3, 100, 1);
     scene.step_fraction = 0.2;
     const double rate = 5.0;

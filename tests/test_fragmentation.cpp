@@ -130,7 +130,8 @@ TEST_CASE("no overlapping pair is ever missing from the contact list") {
                 seen = std::max(seen, pairs.size());
                 CHECK(std::includes(listed.begin(), listed.end(), pairs.begin(), pairs.end()));
             })});
-    CHECK(seen >= 5);
+    // Across facets every neighbour held a bond, so fewer strangers meet.
+    CHECK(seen >= (network == model::Network::contacts ? 10U : 5U));
 }
 
 TEST_CASE("a bond that breaks leaves a contact without a jump in force or energy") {

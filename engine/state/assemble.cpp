@@ -80,7 +80,7 @@ MaterialFacts facts_of(const model::Material& material, const model::Scene& scen
 }
 
 /// Elements held by facets that never break cannot roll, and only their rotations among each other would need the shortest
-/// steps: with three times a disk's rotational inertia the step may be 1.4 times as long, and waves long against the
+/// steps: with three times a disk's rotational inertia the step may be longer, and waves long against the
 /// elements travel as before.
 double inertia_factor(const model::Body& said) {
     const bool never_loose = std::holds_alternative<model::ElasticBonds>(said.bonds);
