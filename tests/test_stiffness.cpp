@@ -1,5 +1,6 @@
 // The stiffness of bonded packs against the theory of elasticity: patches solved at rest, and waves.
 #include "engine/state/assemble.hpp"
+#include "engine/step/real_moduli.hpp"
 #include "engine/step/springs.hpp"
 #include "tests/catch.hpp"
 #include "tests/patches.hpp"
@@ -201,4 +202,15 @@ TEST_CASE("waves in the lattice travel at the figures worked out from its unit c
         CHECK(p / (q * cp) == Approx(p_wave[n]).epsilon(2e-3));
         CHECK(s / (q * cs) == Approx(s_wave[n]).epsilon(2e-3));
     }
+}
+
+TEST_CASE("the moduli a body of pairs really has are the material's in close packing") {
+    // Eqs 15 and 16 are exact there, so that what is measured must be what was given.
+    const model::Plane plane = GENERATE(model::Plane::stress, model::Plane::strain);
+    const double nu = 0.2;
+    const model::Rows rows = GENERATE(model::Rows::horizontal, model::Rows::vertical);
+    const state::State state = state::assemble(scene_with(nu, plane, lattice(2e-3, rows))).state;
+    const law::PlaneModuli real = law::solid_moduli(step::real_moduli(state, 0).value(), plane == model::Plane::strain);
+    CHECK(std::fabs(real.youngs_modulus / E - 1.0) < 1e-6);
+    CHECK(std::fabs(real.poissons_ratio - nu) < 1e-6);
 }

@@ -44,7 +44,6 @@ FacetBond bond_of(const packing::Facet& facet, const Line& line, const law::Face
     const double high = wall_above ? std::clamp(0.0, low, line.high) : line.high;
 
     FacetBond bond;
-    bond.pair = {facet.i, facet.j};
     bond.share_i = line.share_i;
     bond.whole = part_between(line.low, line.high);
     bond.springs = law::facet_springs(moduli, part_between(low, high), line.length, thickness);

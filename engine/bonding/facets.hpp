@@ -1,7 +1,6 @@
 // Bonds across the facets of the cells of a pack.
 #pragma once
 
-#include "engine/bonding/bonding.hpp"
 #include "engine/law/facet.hpp"
 #include "engine/packing/cells.hpp"
 
@@ -11,7 +10,6 @@ namespace demlua::bonding {
 
 /// A bond between neighbouring cells as the law sees it.
 struct FacetBond {
-    Pair pair;
     double share_i = 0.5; ///< of the bond's length that lies in the cell of i
     law::FacetPart whole; ///< the facet: its length is what carries the bond's traction
     law::FacetSprings<double> springs;
@@ -20,8 +18,8 @@ struct FacetBond {
 };
 
 struct FacetNetwork {
-    std::vector<FacetBond> bonds;
-    std::vector<double> volume; ///< of each cell as its bonds close it, m^2; 0 for a cell that they do not close
+    std::vector<FacetBond> bonds; ///< one per facet of the cells, in their order
+    std::vector<double> volume;   ///< of each cell as its bonds close it, m^2; 0 for a cell that they do not close
 };
 
 /// Source: head of law/facet.hpp. `radius` only decides the share of a facet between unequal elements. `thickness` in m.

@@ -30,8 +30,6 @@ struct Elastic {
 
     static constexpr Params derive(ContactStiffness k) { return {k.normal, k.shear}; }
 
-    static constexpr Params on_facet(const Tractions& /*p*/, ContactStiffness k, double /*A*/) { return derive(k); }
-
     template <class T>
     static BondForce<T> respond(const Params& p, T /*radius*/, const BondMotion<T>& motion, History<T>& /*history*/) {
         return {p.Kn * motion.stretch, p.Kt * motion.shear};

@@ -49,9 +49,6 @@ struct FacetVector {
     friend FacetVector operator+(FacetVector a, FacetVector b) {
         return {a.normal + b.normal, a.shear + b.shear, a.turn + b.turn};
     }
-    friend FacetVector operator-(FacetVector a, FacetVector b) {
-        return {a.normal - b.normal, a.shear - b.shear, a.turn - b.turn};
-    }
     friend FacetVector operator*(T s, FacetVector a) { return {s * a.normal, s * a.shear, s * a.turn}; }
 };
 

@@ -112,6 +112,7 @@ struct Failing {
     Index bond = 0;
     bool breaks = false;
     law::BondForce<double> borne;
+    law::BondForce<double> moved; ///< plastic stretch and slip of this instant, m
     typename Law::template History<double> history;
 };
 
@@ -141,7 +142,8 @@ void facet_forces(state::FacetSet<Law>& bonds, const state::Elements& elements, 
             const bool breaks = Law::broken(params, 1.0, motion, history);
             if (!breaks && !Law::has_yielded(before, history)) continue;
             history.work = before.work;
-            failing.push_back({static_cast<Index>(k), breaks, borne, history});
+            const law::BondForce<double> moved{history.stretch - before.stretch, history.shear - before.shear};
+            failing.push_back({static_cast<Index>(k), breaks, borne, moved, history});
         } else {
             put_force(bonds, k, force);
         }
@@ -175,31 +177,22 @@ void refresh_around(state::FacetSet<Law>& bonds, const state::Elements& elements
 template <class Law>
 std::vector<Index> settle_yielding(state::FacetSet<Law>& bonds, const state::Elements& elements,
                                    const std::vector<std::vector<Failing<Law>>>& parts) {
+    std::vector<Failing<Law>> all;
+    for (const std::vector<Failing<Law>>& part : parts) all.insert(all.end(), part.begin(), part.end());
     std::vector<Index> yielded;
     std::vector<Index> breaking;
-    std::vector<law::BondForce<double>> slipped;
-    for (const std::vector<Failing<Law>>& part : parts) {
-        for (const Failing<Law>& failing : part) {
-            const auto before = bonds.history.at(failing.bond);
-            slipped.push_back({failing.history.stretch - before.stretch, failing.history.shear - before.shear});
-            bonds.history.store(failing.bond, failing.history);
-            grow_cell_sides(bonds, elements, failing.bond);
-            yielded.push_back(failing.bond);
-            if (failing.breaks) breaking.push_back(failing.bond);
-        }
+    for (const Failing<Law>& failing : all) {
+        bonds.history.store(failing.bond, failing.history);
+        grow_cell_sides(bonds, elements, failing.bond);
+        yielded.push_back(failing.bond);
+        if (failing.breaks) breaking.push_back(failing.bond);
     }
-    if (yielded.empty()) return breaking;
     refresh_around(bonds, elements, yielded);
-    std::size_t n = 0;
-    for (const std::vector<Failing<Law>>& part : parts) {
-        for (const Failing<Law>& failing : part) {
-            auto history = failing.history;
-            const law::FacetVector<double> force = facet_force(bonds, elements, failing.bond);
-            history.work += 0.5 * ((failing.borne.normal + force.normal) * slipped[n].normal +
-                                   (failing.borne.shear + force.shear) * slipped[n].shear);
-            bonds.history.store(failing.bond, history);
-            ++n;
-        }
+    for (Failing<Law>& failing : all) {
+        const std::size_t k = failing.bond;
+        failing.history.work += 0.5 * ((failing.borne.normal + bonds.normal[k]) * failing.moved.normal +
+                                       (failing.borne.shear + bonds.shear[k]) * failing.moved.shear);
+        bonds.history.store(k, failing.history);
     }
     return breaking;
 }

@@ -4,7 +4,6 @@
 
 #include <Eigen/SparseCholesky>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <type_traits>
 #include <vector>
@@ -12,6 +11,9 @@
 namespace demlua::step {
 
 namespace {
+
+constexpr std::size_t most = 2000; ///< elements that are solved for
+constexpr std::size_t least = 50;  ///< elements of a body for which moduli mean anything
 
 using Stress = Eigen::Vector3d; // xx, yy, xy; Pa
 
@@ -21,7 +23,7 @@ struct Middle {
     std::vector<bool> inside; ///< of each element of the body
 };
 
-Middle middle_of(const state::State& state, const state::Body& body, std::size_t most) {
+Middle middle_of(const state::State& state, const state::Body& body) {
     const state::Elements& elements = state.elements;
     Box box{elements.position(body.first), elements.position(body.first)};
     for (std::size_t k = body.first; k < body.last; ++k) {
@@ -102,10 +104,9 @@ Eigen::SparseMatrix<double> picking(const state::Body& body, const Middle& middl
 }
 
 template <class Law>
-std::optional<law::PlaneModuli> moduli_of(const state::State& state, const state::BondSet<Law>& bonds,
-                                          std::size_t most) {
+std::optional<law::PlaneModuli> moduli_of(const state::State& state, const state::BondSet<Law>& bonds) {
     const state::Body& body = state.bodies[bonds.body];
-    const Middle middle = middle_of(state, body, most);
+    const Middle middle = middle_of(state, body);
     if (middle.elements.empty()) return std::nullopt;
     const Eigen::SparseMatrix<double> K = springs_of_body(state, bonds.body).stiffness_matrix();
     const Eigen::SparseMatrix<double> pick = picking(body, middle);
@@ -126,14 +127,13 @@ std::optional<law::PlaneModuli> moduli_of(const state::State& state, const state
 
 } // namespace
 
-std::optional<law::PlaneModuli> real_moduli(const state::State& state, std::size_t body, std::size_t most,
-                                            std::size_t least) {
+std::optional<law::PlaneModuli> real_moduli(const state::State& state, std::size_t body) {
     if (state.bodies[body].size() < least) return std::nullopt;
     for (const state::AnyBondSet& any : state.bond_sets) {
         const std::optional<law::PlaneModuli> found = std::visit(
             [&]<class Bonds>(const Bonds& bonds) -> std::optional<law::PlaneModuli> {
                 if constexpr (std::is_base_of_v<state::BondSet<typename Bonds::law>, Bonds>) {
-                    if (bonds.body == body) return moduli_of(state, bonds, most);
+                    if (bonds.body == body) return moduli_of(state, bonds);
                 }
                 return std::nullopt;
             },

@@ -9,11 +9,10 @@
 
 namespace demlua::step {
 
-/// E* (Pa) and nu* of a body held by pairs (not facets), from the mean stress in its middle part, of at most `most` elements,
+/// E* (Pa) and nu* of a body held by pairs (not facets), from the mean stress in its middle part, of at most 2,000 elements,
 /// when everything around that part follows a uniform strain: its bonds' equilibrium, solved for three strains. A little
-/// above what a larger part would show. Nothing for a body of facets, or of fewer than `least` elements.
+/// above what a larger part would show. Nothing for a body of facets, or of fewer than 50 elements.
 /// Source: definition of the effective moduli of a heterogeneous solid.
-std::optional<law::PlaneModuli> real_moduli(const state::State& state, std::size_t body, std::size_t most = 2000,
-                                            std::size_t least = 50);
+std::optional<law::PlaneModuli> real_moduli(const state::State& state, std::size_t body);
 
 } // namespace demlua::step
