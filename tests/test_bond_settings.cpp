@@ -81,8 +81,8 @@ TEST_CASE("fracture energy stands for the toughness sqrt(G E*)", "[scene]") {
 TEST_CASE("elements too large for their bonds are refused once the body is packed", "[scene]") {
     // Largest radius 16 (1-nu*) sqrt(3)/(3-nu*)^2 (K_Ic/s)^2 = 0.224871 m of pairs, largest distance 2 (K_Ic/s)^2 =
     // 0.169010 m across facets.
-    const std::vector<std::string> pairs = assembled(
-        plate(R"(dem.plateau { stiffness = "contacts" })", "dem.consolidated { cluster = 1, count = 3 }", ""));
+    const std::vector<std::string> pairs =
+        assembled(plate(R"(dem.plateau { stiffness = "delaunay" })", "dem.relaxed { spacing = 0.55 }", ""));
     REQUIRE(pairs.size() == 1);
     CHECK_THAT(pairs[0], Catch::Matchers::ContainsSubstring("body.bonds = dem.plateau: cannot be resolved") &&
                              Catch::Matchers::ContainsSubstring("the largest radius is 0.224871 m"));
