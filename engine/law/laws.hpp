@@ -1,5 +1,5 @@
 // The bond laws, one row each. To add one: write its file like elastic.hpp (equation, Params, History, derive, respond,
-// has_yielded, stored_energy; if it breaks, broken and damage, and the plastic stretch and shear in its History), put it
+// has_yielded, stored_energy; if it breaks, broken, caps and damage, and the plastic stretch and shear in its History), put it
 // in this list, give it a choice in model/scene.hpp with its settings, and a line in state/bond_assembly.cpp that derives
 // its Params. Loops, files and ledger follow.
 #pragma once
