@@ -1,7 +1,6 @@
 // Why a bond broke, or did not: one bond followed in the history.
 #include "engine/state/state.hpp"
 #include "tests/catch.hpp"
-#include "tests/scene_language.hpp"
 #include "tests/scenes.hpp"
 
 #include <algorithm>
@@ -40,20 +39,6 @@ model::Scene pulled_chain(const model::BondChoice& bonds) {
     scene.bond_probes.push_back(probe_at("tip", {0.9 * R, 0.1 * R}));
     scene.bond_probes.push_back({"far", 0, std::nullopt, model::IdPair{2, 1}, {}});
     return scene;
-}
-
-std::vector<std::string> told(const std::string& probe) {
-    const std::string scene = R"(
-local rock = dem.material { name = "rock", youngs_modulus = 1e9, poissons_ratio = 0.2, density = 2000 }
-local sim = dem.simulation {}
-local block = sim:body { name = "block", material = rock, region = dem.rectangle { size = { 1, 1 } }, packing = dem.close_packed { radius = 0.1 }, bonds = dem.elastic {} }
-local stone = sim:body { name = "stone", material = rock, packing = dem.disks { { 0.5, 5, 0.1 } } }
-local loose = sim:body { name = "loose", material = rock, packing = dem.disks { { 5, 5, 0.1 } }, bonds = dem.elastic {} }
-)";
-    return test::problems_of([&] {
-        test::BareHost host;
-        test::run(scene + probe + "\nsim:run { duration = 1e-6 }", host);
-    });
 }
 
 } // namespace
@@ -121,22 +106,4 @@ TEST_CASE("a facet's caps are strength times area", "[bond_probe]") {
     CHECK(columns.at("inner_cap_normal") == Approx(3.44e6 * area * 0.5).epsilon(1e-12));
     CHECK(columns.at("inner_cap_shear") == Approx(std::sqrt(3.0 / 7.0) * 3.44e6 * area * 0.5).epsilon(1e-12));
     CHECK(columns.at("inner_normal") == Approx(0.0).margin(1e-6));
-}
-
-TEST_CASE("a probe that means no bond is told why", "[bond_probe]") {
-    const std::string place = test::scene_name + ":8: ";
-    using Messages = std::vector<std::string>;
-    CHECK(told(R"(sim:bond_probe { block, name = "a", at = { 3, 3 } })") ==
-          Messages{place + "bond_probe.at = { 3, 3 }: must lie no farther from the middle of a bond of body \"block\" "
-                           "than that bond is long"});
-    CHECK(told(R"(sim:bond_probe { block, name = "a", between = { 0, 900 } })") ==
-          Messages{place + "bond_probe.between = { 0, 900 }: must be two bonded elements of body \"block\""});
-    CHECK(told(R"(sim:bond_probe { stone, name = "a", at = { 0, 0 } })") ==
-          Messages{place + "bond_probe.body = \"stone\": has no bonds"});
-    CHECK(told(R"(sim:bond_probe { loose, name = "a", at = { 0, 0 } })") ==
-          Messages{place + "bond_probe.body = \"loose\": has no bonds"});
-    CHECK(told(R"(sim:bond_probe { block, name = "a" })") ==
-          Messages{place + "bond_probe.at: exactly one of at and between must be given"});
-    CHECK(told(R"(sim:bond_probe { block, name = "a", between = { 0, 1.5 } })") ==
-          Messages{place + "bond_probe.between = { 0, 1.5 }: must be whole numbers from 0 on"});
 }

@@ -229,9 +229,10 @@ TEST_CASE("the energies of broken bonds add up to the ledger's, the same for any
     std::string reference;
     for (const int threads : {1, 2, 3}) {
         observe::Simulation sim(torn_strip(network), threads);
+        REQUIRE(sim.bond_count() >= 1024); // shorter loops are not shared
         sim.run(4e-4, {});
         CHECK(sim.state().cracks.size() == sim.broken_bonds());
-        CHECK(sim.broken_bonds() > 50);
+        CHECK(sim.broken_bonds() > 20);
         CHECK(sim.surface_energy() > 0.0);
         CHECK(sim.surface_energy() == Approx(spent_by_broken(sim.state())).epsilon(1e-12));
         CHECK(sim.ledger().fracture + sim.ledger().plastic >= sim.surface_energy());
