@@ -82,6 +82,20 @@ TEST_CASE("a bond that cannot break has no caps to tell", "[bond_probe]") {
     }
 }
 
+TEST_CASE("a brittle bond has a cap in tension alone, and loses it by breaking", "[bond_probe]") {
+    observe::Simulation sim(pulled_chain(model::BrittleTensileBonds{}), 1);
+    auto columns = columns_of(sim);
+    // eq. 21: s 2R t
+    CHECK(columns.at("tip_cap_normal") == Approx(3.44e6 * 2.0 * R).epsilon(1e-12));
+    CHECK(columns.count("tip_cap_shear") == 0);
+    sim.run(25e-3, {});
+    columns = columns_of(sim);
+    CHECK(columns.at("tip_state") == 2.0);
+    CHECK(columns.at("tip_cap_normal") == 0.0);
+    CHECK(columns.count("tip_cap_shear") == 0);
+    CHECK(columns.at("far_state") == 0.0);
+}
+
 TEST_CASE("a facet's caps are strength times area", "[bond_probe]") {
     model::Scene scene = test::scene_of(test::concrete());
     scene.thickness = 0.5;

@@ -150,10 +150,9 @@ const WordOf<BondProbe>& bond_probe() {
     static const WordOf<BondProbe> made = word<BondProbe>(
         "sim:bond_probe",
         "Writes to the history what one bond bears and how far it has gone: NAME_normal, NAME_shear (forces, N; "
-        "tension "
-        "positive), NAME_stretch, NAME_slide (m), and where bonds can break NAME_cap_normal, NAME_cap_shear (the "
-        "greatest "
-        "forces it bears now, N), NAME_damage (0 to 1) and NAME_state (0 elastic, 1 yielded, 2 broken).",
+        "tension positive), NAME_stretch, NAME_slide (m), and where bonds can break NAME_cap_normal, NAME_cap_shear "
+        "(the most it bears now, N; no column without a cap), NAME_damage (0 to 1) and NAME_state (0 elastic, 1 "
+        "yielded, 2 broken).",
         "", R"(sim:bond_probe { plate, name = "tip", at = { 0.03, 0.5 } })",
         {row<&BondProbe::body, BodySlot>("body", required, "which; the word itself may be left out").at(1),
          row<&BondProbe::name>("name", required, "before the columns' names"),
@@ -240,16 +239,45 @@ const WordOf<Nothing>& result() {
 } // namespace words
 
 const std::vector<const Word*>& all_words() {
-    static const std::vector<const Word*> words{
-        &words::param(),        &words::simulation(),   &words::material(),     &words::rectangle(),
-        &words::disc(),         &words::polygon(),      &words::half_plane(),   &words::translated(),
-        &words::rotated(),      &words::close_packed(), &words::consolidated(), &words::relaxed(),
-        &words::disks(),        &words::elastic(),      &words::plateau(),      &words::body(),
-        &words::set_velocity(), &words::fix(),          &words::move(),         &words::force(),
-        &words::traction(),     &words::ramp(),         &words::wall(),         &words::wall_move(),
-        &words::notch(),        &words::damping(),      &words::probe(),        &words::bond_probe(),
-        &words::history(),      &words::output(),       &words::every(),        &words::run(),
-        &words::solve_static(), &words::result(),       &words::compare(),      &words::study()};
+    static const std::vector<const Word*> words{&words::param(),
+                                                &words::simulation(),
+                                                &words::material(),
+                                                &words::rectangle(),
+                                                &words::disc(),
+                                                &words::polygon(),
+                                                &words::half_plane(),
+                                                &words::translated(),
+                                                &words::rotated(),
+                                                &words::close_packed(),
+                                                &words::consolidated(),
+                                                &words::relaxed(),
+                                                &words::disks(),
+                                                &words::elastic(),
+                                                &words::plateau(),
+                                                &words::softening(),
+                                                &words::brittle_tensile(),
+                                                &words::brittle_toughness(),
+                                                &words::body(),
+                                                &words::set_velocity(),
+                                                &words::fix(),
+                                                &words::move(),
+                                                &words::force(),
+                                                &words::traction(),
+                                                &words::ramp(),
+                                                &words::wall(),
+                                                &words::wall_move(),
+                                                &words::notch(),
+                                                &words::damping(),
+                                                &words::probe(),
+                                                &words::bond_probe(),
+                                                &words::history(),
+                                                &words::output(),
+                                                &words::every(),
+                                                &words::run(),
+                                                &words::solve_static(),
+                                                &words::result(),
+                                                &words::compare(),
+                                                &words::study()};
     return words;
 }
 

@@ -79,7 +79,7 @@ void add_bond_columns(HistoryRow& row, const std::string& name, const state::Sta
             column("_slide", bond.slide);
             if constexpr (std::decay_t<decltype(bonds)>::law::breaks) {
                 column("_cap_normal", bond.caps.normal);
-                column("_cap_shear", bond.caps.shear);
+                if (bond.caps.shear != uncapped) column("_cap_shear", bond.caps.shear);
                 column("_damage", bond.damage);
                 column("_state", bond.state);
             }

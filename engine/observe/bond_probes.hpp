@@ -20,7 +20,8 @@ struct ProbedBond {
 ProbedBond bond_of(const model::BondProbe& probe, const state::State& state);
 
 /// Adds the columns NAME_normal, NAME_shear (forces, N), NAME_stretch and NAME_slide (m); of a law that breaks also
-/// NAME_cap_normal and NAME_cap_shear (N), NAME_damage (0 to 1) and NAME_state (0 elastic, 1 yielded, 2 broken).
+/// NAME_cap_normal and, if there is one, NAME_cap_shear (N), NAME_damage (0 to 1) and NAME_state (0 elastic, 1 yielded, 2
+/// broken).
 void add_bond_columns(HistoryRow& row, const std::string& name, const state::State& state, ProbedBond probed);
 
 } // namespace demlua::observe

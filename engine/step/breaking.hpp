@@ -36,10 +36,26 @@ state::CrackMode crack_mode(const Params& spring, const law::BondMotion<double>&
     return motion.stretch > 0.0 && opened >= slid ? state::CrackMode::tension : state::CrackMode::shear;
 }
 
+/// Spent by bond `k` while it yielded, J.
+template <class Law>
+double plastic_work(const state::BondTable<Law>& bonds, std::size_t k) {
+    if constexpr (Law::yields) return bonds.history.at(k).work;
+    return 0.0;
+}
+
+/// Takes back what the dashpots of bond `k` booked for the end of the step, where they no longer act.
+template <class Law>
+void let_go_of_dashpots(state::BondTable<Law>& bonds, std::size_t k, law::BondForce<double> rate, double dt) {
+    state::BondDashpots& dashpots = bonds.dashpots;
+    if (!dashpots.present()) return;
+    dashpots.spent[k] -= 0.5 * dt * (dashpots.normal[k] * rate.normal + dashpots.shear[k] * rate.shear);
+    dashpots.normal[k] = dashpots.shear[k] = 0.0;
+}
+
 /// Takes the bonds named in `breaking` (rows, rising) out of the set: no force from this instant on, energies booked,
-/// a row of the cracks, and a contact in each one's place. Its reference length is that at which the contact carries on with the bond's normal
-/// force (which is the bond's unstressed length where both are as stiff), no longer than the sum of the radii if the bond
-/// broke in tension: falling back to the radii would release the pack's overlap as energy.
+/// a row of the cracks, and a contact in each one's place. Its reference length is that at which the contact carries on
+/// with the bond's normal force (which is the bond's unstressed length where both are as stiff), no longer than the sum of
+/// the radii unless the bond broke under pressure: falling back to the radii would release the pack's overlap as energy.
 template <class Bonds>
 void settle_broken(state::State& state, Bonds& bonds, const std::vector<Index>& breaking,
                    std::vector<NewContact>& contacts) {
@@ -56,8 +72,8 @@ void settle_broken(state::State& state, Bonds& bonds, const std::vector<Index>& 
             const law::BondForce<double> rate = rates_of(bonds, elements, k, motion);
             const double touch = elements.radius[i] + elements.radius[j];
             const double length = bonds.length[k] + motion.stretch;
-            const double unstressed = length - force.normal / contact.Kn;
-            const double reference = length > unstressed ? std::min(unstressed, touch) : unstressed;
+            const double unstressed = bonds.length[k] + (motion.stretch - force.normal / contact.Kn);
+            const double reference = force.normal < 0.0 ? unstressed : std::min(unstressed, touch);
             const double overlap = reference - length;
 
             NewContact left{static_cast<Index>(i), static_cast<Index>(j), reference,
@@ -73,8 +89,9 @@ void settle_broken(state::State& state, Bonds& bonds, const std::vector<Index>& 
             bonds.fracture_work += lost;
             state::Crack crack = state::crack_of(bonds, elements, k, state.time, state.step);
             crack.mode = crack_mode(params_of(bonds, k), motion);
-            crack.energy = bonds.history.at(k).work + lost;
+            crack.energy = plastic_work(bonds, k) + lost;
             state.cracks.push_back(crack);
+            let_go_of_dashpots(bonds, k, rate, state.dt);
             bonds.broken[k] = 1;
             ++bonds.broken_count;
             bonds.contact_length[k] = reference;
