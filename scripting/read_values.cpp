@@ -147,6 +147,16 @@ struct Filler {
     void operator()(std::optional<Vec2>* into) const {
         if (const auto said = vector(value, index(), slot)) *into = *said;
     }
+    void operator()(std::optional<IdPair>* into) const {
+        const auto said = vector(value, index(), slot);
+        if (!said) return;
+        constexpr double most = 4294967295.0; // rows are counted in 32 bits
+        for (const double id : {said->x, said->y}) {
+            if (id != std::floor(id) || id < 0.0 || id > most)
+                return value.out_of_range("must be whole numbers from 0 on");
+        }
+        *into = {static_cast<std::uint64_t>(said->x), static_cast<std::uint64_t>(said->y)};
+    }
     void operator()(Signal* into) const { read_signal(value, slot, index(), 0, *into, into); }
     void operator()(std::optional<Signal>* into) const {
         if (!*into) into->emplace();

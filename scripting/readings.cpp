@@ -27,8 +27,10 @@ const std::vector<Reading<Simulation>>& now_readings() {
         {"bonds", "", "how many there were at the start", [](const Simulation& s) { return number(s.bond_count()); }},
         {"broken_bonds", "", "how many of them are broken",
          [](const Simulation& s) { return number(s.broken_bonds()); }},
-        {"crack_length", "m", "sum over broken bonds of the mean diameter of their elements",
+        {"crack_length", "m", "sum over broken bonds of their facets, or else of the mean diameter of their elements",
          [](const Simulation& s) { return s.crack_length(); }},
+        {"surface_energy", "J", "what broken bonds took: their plastic work and what they still held",
+         [](const Simulation& s) { return s.surface_energy(); }},
         {"fragments", "", "parts held together by bonds", [](const Simulation& s) { return number(s.fragments()); }},
         {"contacts", "", "that touch", [](const Simulation& s) { return number(s.contact_count()); }},
     };

@@ -222,9 +222,11 @@ void RunHost::tell_result(const output::SummaryEnding& ending) {
 }
 
 std::string RunHost::files_to_open() const {
-    std::string elements = settings_.folder.file("elements.pvd").string();
+    const std::string elements = settings_.folder.file("elements.pvd").string();
     if (!writer_->has_bonds()) return elements;
-    return fmt::format("{} and {}", elements, settings_.folder.file("bonds.pvd").string());
+    const std::string bonds = settings_.folder.file("bonds.pvd").string();
+    if (!writer_->has_cracks()) return fmt::format("{} and {}", elements, bonds);
+    return fmt::format("{}, {} and {}", elements, bonds, settings_.folder.file("cracks.pvd").string());
 }
 
 output::Summary RunHost::summary(const output::SummaryEnding& ending) const {

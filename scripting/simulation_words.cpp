@@ -235,22 +235,24 @@ void add_simulation(lua_State* L) {
     lua_setfield(L, -2, "simulation");
     define<SimulationHandle>(L, nullptr);
     luaL_getmetatable(L, object_name<SimulationHandle>);
-    lua_createtable(L, 0, 16);
-    constexpr std::array<luaL_Reg, 15> methods{{{"body", guarded<body>},
-                                                {"fix", guarded<fix>},
-                                                {"move", guarded<move>},
-                                                {"force", guarded<force>},
-                                                {"traction", guarded<traction>},
-                                                {"wall", guarded<wall>},
-                                                {"notch", guarded<add<Notch, words::notch, &Scene::notches>>},
-                                                {"damping", guarded<add<Damping, words::damping, &Scene::dampings>>},
-                                                {"probe", guarded<add<Probe, words::probe, &Scene::probes>>},
-                                                {"history", guarded<history>},
-                                                {"output", guarded<output>},
-                                                {"every", guarded<every>},
-                                                {"run", guarded<run>},
-                                                {"solve_static", guarded<solve_static>},
-                                                {nullptr, nullptr}}};
+    lua_createtable(L, 0, 17);
+    constexpr std::array<luaL_Reg, 16> methods{
+        {{"body", guarded<body>},
+         {"fix", guarded<fix>},
+         {"move", guarded<move>},
+         {"force", guarded<force>},
+         {"traction", guarded<traction>},
+         {"wall", guarded<wall>},
+         {"notch", guarded<add<Notch, words::notch, &Scene::notches>>},
+         {"damping", guarded<add<Damping, words::damping, &Scene::dampings>>},
+         {"probe", guarded<add<Probe, words::probe, &Scene::probes>>},
+         {"bond_probe", guarded<add<BondProbe, words::bond_probe, &Scene::bond_probes>>},
+         {"history", guarded<history>},
+         {"output", guarded<output>},
+         {"every", guarded<every>},
+         {"run", guarded<run>},
+         {"solve_static", guarded<solve_static>},
+         {nullptr, nullptr}}};
     luaL_setfuncs(L, methods.data(), 0);
     lua_pushcclosure(L, guarded<simulation_index>, 1);
     lua_setfield(L, -2, "__index");

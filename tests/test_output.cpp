@@ -98,6 +98,18 @@ TEST_CASE("a frame's text is compressed appended binary with all its fields", "[
     CHECK_THAT(bonds, ContainsSubstring("NumberOfCells=\"2\"") && ContainsSubstring("Name=\"state\""));
 }
 
+TEST_CASE("cracks are lines with points of their own, and none are a file too", "[output]") {
+    auto snapshot = three_elements(0.25);
+    snapshot.crack_fields = {{"time", "s", 1, std::vector<double>{}}, {"mode", "", 1, std::vector<std::int32_t>{}}};
+    const std::string none = output::cracks_vtu(snapshot);
+    CHECK_THAT(none, ContainsSubstring("NumberOfPoints=\"0\"") && ContainsSubstring("NumberOfCells=\"0\""));
+    CHECK_THAT(none, ContainsSubstring("Name=\"time\"") && ContainsSubstring("Name=\"mode\""));
+    snapshot.crack_ends = {{Vec2{0.0, 0.0}, Vec2{0.0, 1.0}}, {Vec2{0.0, 1.0}, Vec2{1.0, 1.0}}};
+    snapshot.crack_fields = {{"time", "s", 1, std::vector<double>{0.1, 0.2}}};
+    const std::string two = output::cracks_vtu(snapshot);
+    CHECK_THAT(two, ContainsSubstring("NumberOfPoints=\"4\"") && ContainsSubstring("NumberOfCells=\"2\""));
+}
+
 TEST_CASE("a field that does not fit its rows is refused by name", "[output]") {
     auto snapshot = three_elements(0.0);
     snapshot.element_fields.push_back({"spin", "rad/s", 1, std::vector<double>{1.0}});
@@ -165,13 +177,14 @@ TEST_CASE("a run's folder is made when it opens and not before", "[output]") {
 TEST_CASE("another run's folder is refused, or emptied of that run alone", "[output]") {
     const Scratch scratch;
     fs::create_directory(scratch / "run");
-    for (const char* name : {"run/summary.json", "run/elements_000123.vtu", "run/elements.pvd.unfinished",
-                             "run/bonds.vtu.series", "run/notes.txt", "run/elements_of_style.vtu"}) {
+    for (const char* name :
+         {"run/summary.json", "run/elements_000123.vtu", "run/elements.pvd.unfinished", "run/bonds.vtu.series",
+          "run/cracks_000001.vtu", "run/notes.txt", "run/elements_of_style.vtu"}) {
         output::replace_file(scratch / name, "old");
     }
     const output::RunFolder careful(scratch / "run", scratch / "x.lua", false);
     CHECK_THAT(refusal(careful), ContainsSubstring("holds another run") && ContainsSubstring("--overwrite"));
-    CHECK(names_in(scratch / "run").size() == 6);
+    CHECK(names_in(scratch / "run").size() == 7);
     output::RunFolder(scratch / "run", scratch / "x.lua", true).open("new");
     CHECK(names_in(scratch / "run") == std::set<std::string>{"scene.lua", "notes.txt", "elements_of_style.vtu"});
 }
@@ -227,6 +240,7 @@ TEST_CASE("no bonds, no series of bonds", "[output]") {
     writer.frame(three_elements(0.0, false));
     writer.drain();
     CHECK_FALSE(writer.has_bonds());
+    CHECK_FALSE(writer.has_cracks());
     CHECK_FALSE(fs::exists(scratch / "run/bonds.pvd"));
 }
 

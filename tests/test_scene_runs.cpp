@@ -9,6 +9,25 @@ using namespace demlua;
 using namespace demlua::test;
 using Catch::Approx;
 
+namespace {
+
+/// What a scene with one probe of a bond is told when it runs.
+std::vector<std::string> told_with(const std::string& probe) {
+    const std::string scene = R"(
+local rock = dem.material { name = "rock", youngs_modulus = 1e9, poissons_ratio = 0.2, density = 2000 }
+local sim = dem.simulation {}
+local block = sim:body { name = "block", material = rock, region = dem.rectangle { size = { 1, 1 } }, packing = dem.close_packed { radius = 0.1 }, bonds = dem.elastic {} }
+local stone = sim:body { name = "stone", material = rock, packing = dem.disks { { 0.5, 5, 0.1 } } }
+local loose = sim:body { name = "loose", material = rock, packing = dem.disks { { 5, 5, 0.1 } }, bonds = dem.elastic {} }
+)";
+    return problems_of([&] {
+        BareHost host;
+        run(scene + probe + "\nsim:run { duration = 1e-6 }", host);
+    });
+}
+
+} // namespace
+
 TEST_CASE("regions combine, move and can be asked", "[scene]") {
     BareHost host;
     run(R"(
@@ -168,4 +187,22 @@ TEST_CASE("the projectile of the penetration scene has exactly 351 elements", "[
     model::Selection projectile;
     projectile.body = 1;
     CHECK(host.simulation()->field("id", projectile).size() == 351);
+}
+
+TEST_CASE("a probe that means no bond is told why", "[scene]") {
+    const std::string place = scene_name + ":8: ";
+    using Messages = std::vector<std::string>;
+    CHECK(told_with(R"(sim:bond_probe { block, name = "a", at = { 3, 3 } })") ==
+          Messages{place + "bond_probe.at = { 3, 3 }: must lie no farther from the middle of a bond of body \"block\" "
+                           "than that bond is long"});
+    CHECK(told_with(R"(sim:bond_probe { block, name = "a", between = { 0, 900 } })") ==
+          Messages{place + "bond_probe.between = { 0, 900 }: must be two bonded elements of body \"block\""});
+    CHECK(told_with(R"(sim:bond_probe { stone, name = "a", at = { 0, 0 } })") ==
+          Messages{place + "bond_probe.body = \"stone\": has no bonds"});
+    CHECK(told_with(R"(sim:bond_probe { loose, name = "a", at = { 0, 0 } })") ==
+          Messages{place + "bond_probe.body = \"loose\": has no bonds"});
+    CHECK(told_with(R"(sim:bond_probe { block, name = "a" })") ==
+          Messages{place + "bond_probe.at: exactly one of at and between must be given"});
+    CHECK(told_with(R"(sim:bond_probe { block, name = "a", between = { 0, 1.5 } })") ==
+          Messages{place + "bond_probe.between = { 0, 1.5 }: must be whole numbers from 0 on"});
 }

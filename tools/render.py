@@ -1,5 +1,8 @@
 #!/usr/bin/env python3
-"""Makes a picture of a run: elements at their true radius, cracks as black lines, several instants on one sheet.
+"""Makes a picture of a run: elements at their true radius, cracks as lines, several instants on one sheet.
+
+Cracks are black and move with the elements beside them, as long as these are neighbours; with --cracks they are shown where
+they arose, and their colour tells when, how, at what cost, or which belong together.
 
 Needs VTK's Python module to read the files and write the picture, and no display: the disks are few and plain enough to
 be filled row by row here. Run it as tools/render, which finds the right interpreter.
@@ -22,6 +25,11 @@ FINENESS = 2  # pixels drawn per pixel shown, along each side, so that edges com
 BACKGROUND = (255, 255, 255)
 BODIES = [(208, 208, 204), (70, 116, 166), (190, 140, 90), (120, 160, 110), (150, 120, 165), (200, 175, 95)]
 SCALE = [(68, 1, 84), (59, 82, 139), (33, 145, 140), (94, 201, 98), (253, 231, 37)]  # dark to light, even in brightness
+PALE = (232, 232, 230)  # of bodies under coloured cracks
+MODES = [(200, 30, 40), (30, 90, 200), (0, 0, 0)]  # tension, shear, notch
+MODE_WORDS = "tension red, shear blue, notch black"
+CLUSTERS = [(200, 30, 40), (30, 90, 200), (20, 140, 60), (230, 140, 0), (130, 50, 160), (0, 150, 170), (120, 80, 40)]
+COLOURED_BY = ("time", "mode", "energy", "cluster")
 CRACK = (0, 0, 0)
 BROKEN = 2  # value of the bond field "state"
 NEAR = 1.3  # a broken bond shows as a crack while its elements are nearer than this times the sum of their radii
@@ -58,15 +66,20 @@ def read(file):
 
 
 class Frame:
-    """One instant: elements, and the broken bonds that still lie between neighbours."""
+    """One instant: elements, and cracks as (x0, y0, x1, y1, value).
 
-    def __init__(self, time, elements_file, bonds_file):
+    They are those on record with the field `by` as their value; else broken bonds that still lie between neighbours."""
+
+    def __init__(self, time, elements_file, bonds_file, cracks_file=None, by=None):
         self.time = time
         grid = read(elements_file)
         self.data = grid.GetPointData()
         self.centres = [(p[0], p[1]) for p in numbers(grid.GetPoints().GetData())]
         self.radii = self.values("radius")
-        self.cracks = self.find_cracks(read(bonds_file)) if bonds_file else []
+        if by:
+            self.cracks = self.recorded_cracks(read(cracks_file), by) if cracks_file else []
+        else:
+            self.cracks = self.find_cracks(read(bonds_file)) if bonds_file else []
 
     def values(self, name):
         """One number for each element: a field, a component of it by suffix (_x, _yy), or a vector's length."""
@@ -83,6 +96,14 @@ class Frame:
         known = ", ".join(self.data.GetArrayName(k) for k in range(self.data.GetNumberOfArrays()))
         raise Fault(f"no field {name}; there are {known}")
 
+    @staticmethod
+    def recorded_cracks(grid, by):
+        if grid.GetNumberOfCells() == 0:
+            return []
+        points = numbers(grid.GetPoints().GetData())
+        values = numbers(grid.GetCellData().GetArray(by))
+        return [(*points[2 * k][:2], *points[2 * k + 1][:2], value) for k, value in enumerate(values)]
+
     def find_cracks(self, bonds):
         state = bonds.GetCellData().GetArray("state")
         if state is None:
@@ -98,7 +119,7 @@ class Frame:
             if 0.0 < distance < NEAR * (self.radii[i] + self.radii[j]):
                 half = min(self.radii[i], self.radii[j]) / distance
                 x, y, dx, dy = (xi + xj) / 2, (yi + yj) / 2, -half * (yj - yi), half * (xj - xi)
-                cracks.append((x - dx, y - dy, x + dx, y + dy))
+                cracks.append((x - dx, y - dy, x + dx, y + dy, None))
         return cracks
 
     def bounds(self):
@@ -117,12 +138,15 @@ def choose(frames, wanted):
     return picks
 
 
-def load(folder, wanted):
+def load(folder, wanted, by):
     elements = series(folder, "elements")
     if not elements:
         raise Fault(f"{folder} holds no run: elements.pvd is missing or empty")
-    bonds = dict(series(folder, "bonds"))
-    return [Frame(*elements[k], bonds.get(elements[k][0])) for k in choose(elements, wanted)]
+    bonds, cracks = dict(series(folder, "bonds")), dict(series(folder, "cracks"))
+    if by and not cracks:
+        raise Fault(f"{folder} holds no cracks: cracks.pvd is missing, no bond of the scene can break")
+    return [Frame(time, file, bonds.get(time), cracks.get(time), by)
+            for time, file in (elements[k] for k in choose(elements, wanted))]
 
 
 def view(frames):
@@ -200,7 +224,34 @@ def on_scale(share):
     return bytes(round(a + (share - k) * (b - a)) for a, b in zip(SCALE[k], SCALE[k + 1]))
 
 
-def colours(frame, field, limits):
+def crack_inks(frame, by, limits):
+    values = [value for *_, value in frame.cracks]
+    if by == "mode":
+        return [bytes(MODES[value]) for value in values]
+    if by == "cluster":
+        return [bytes(CLUSTERS[value % len(CLUSTERS)]) for value in values]
+    if by:
+        return [on_scale((value - limits[0]) / (limits[1] - limits[0] or 1.0)) for value in values]
+    return [bytes(CRACK)] * len(values)
+
+
+def crack_limits(frames, by):
+    """Least and greatest value of the cracks of all frames, for those coloured on a scale."""
+    values = [value for frame in frames for *_, value in frame.cracks] if by in ("time", "energy") else []
+    return [min(values, default=0.0), max(values, default=0.0)]
+
+
+def crack_words(by, limits):
+    if by == "mode":
+        return f"    cracks: {MODE_WORDS}"
+    if by == "cluster":
+        return "    cracks: a colour for each"
+    return f"    cracks by {by}: {limits[0]:.4g} (dark) to {limits[1]:.4g} (light)" if by else ""
+
+
+def colours(frame, field, limits, pale):
+    if field is None and pale:
+        return [bytes(PALE)] * len(frame.centres)
     if field is None:
         return [bytes(BODIES[int(body) % len(BODIES)]) for body in frame.values("body")]
     low, high = limits
@@ -208,7 +259,7 @@ def colours(frame, field, limits):
     return [on_scale((value - low) / width) for value in frame.values(field)]
 
 
-def draw(frame, box, width, height, inks):
+def draw(frame, box, width, height, inks, lines, thickness):
     canvas = Canvas(FINENESS * width, FINENESS * height)
     scale = min(canvas.width / (box[2] - box[0]), canvas.height / (box[3] - box[1]))
     left = box[0] - (canvas.width / scale - (box[2] - box[0])) / 2
@@ -220,9 +271,9 @@ def draw(frame, box, width, height, inks):
             canvas.disk(px, py, pr, darker(ink))
             pr -= 0.5 * FINENESS
         canvas.disk(px, py, max(pr, 0.5), ink)
-    for x0, y0, x1, y1 in frame.cracks:
+    for (x0, y0, x1, y1, _), ink in zip(frame.cracks, lines):
         canvas.line((x0 - left) * scale, (y0 - low) * scale, (x1 - left) * scale, (y1 - low) * scale,
-                    0.8 * FINENESS, bytes(CRACK))
+                    thickness * FINENESS, ink)
     shrink = vtkImageShrink3D()
     source = canvas.image()
     shrink.SetInputData(source)
@@ -247,7 +298,7 @@ def time_text(time, longest):
     return f"{time * factor:.3g} {unit}"
 
 
-def sheet(frames, field, limits, box, size):
+def sheet(frames, field, limits, by, box, size):
     """The frames, each under its time: one below another, or side by side when what they show is higher than wide."""
     across = len(frames) if box[3] - box[1] > box[2] - box[0] else 1
     down = len(frames) // across
@@ -255,14 +306,18 @@ def sheet(frames, field, limits, box, size):
     height = size[1] or max(round(width * (box[3] - box[1]) / (box[2] - box[0])), 1)
     canvas = Canvas(across * (width + GAP) - GAP, down * (height + CAPTION + GAP) - GAP)
     longest = max(frame.time for frame in frames)
+    of_cracks = crack_limits(frames, by)
     for k, frame in enumerate(frames):
         left = k % across * (width + GAP)
         top = canvas.height - k // across * (height + CAPTION + GAP)
         text = time_text(frame.time, longest)
         if field:
             text += f"    {field}: {limits[0]:.4g} (dark) to {limits[1]:.4g} (light)"
+        text += crack_words(by, of_cracks)
         canvas.paste(caption(text), left + 8, top - CAPTION)
-        canvas.paste(draw(frame, box, width, height, colours(frame, field, limits)), left, top - CAPTION - height)
+        picture = draw(frame, box, width, height, colours(frame, field, limits, by is not None),
+                       crack_inks(frame, by, of_cracks), 1.6 if by else 0.8)
+        canvas.paste(picture, left, top - CAPTION - height)
     return canvas
 
 
@@ -289,6 +344,8 @@ def options():
     parser.add_argument("--times", default="", help="instants in seconds, e.g. 0,1e-3,6e-3; else four over the run")
     parser.add_argument("--field", help="colour by an element field (stress_xx, speed, ...) instead of by body")
     parser.add_argument("--range", default="", metavar="LOW,HIGH", help="of the field; else from least to greatest")
+    parser.add_argument("--cracks", choices=COLOURED_BY, metavar="FIELD",
+                        help="show cracks where they arose, coloured by " + ", ".join(COLOURED_BY))
     parser.add_argument("--view", default="", metavar="X0,Y0,X1,Y1", help="part of the plane to show, in metres")
     parser.add_argument("--size", default="", metavar="WxH",
                         help="pixels of each picture; W alone fits H; else what makes a sheet 1200 wide")
@@ -309,13 +366,14 @@ def options():
 def main():
     given = options()
     try:
-        frames = load(given.folder, given.times)
+        frames = load(given.folder, given.times, given.cracks)
         limits = given.range
         if given.field and not limits:
             values = [value for frame in frames for value in frame.values(given.field)]
             limits = [min(values), max(values)]
         file = given.file or os.path.join(given.folder, "render.png")
-        write(sheet(frames, given.field, limits, given.view or view(frames), given.size), file)
+        box = given.view or view(frames)
+        write(sheet(frames, given.field, limits, given.cracks, box, given.size), file)
         print(file)
     except Fault as fault:
         print(f"render: {fault}", file=sys.stderr)

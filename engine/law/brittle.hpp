@@ -11,6 +11,7 @@
 #include "engine/law/stiffness.hpp"
 
 #include <array>
+#include <limits>
 
 namespace demlua::law {
 
@@ -53,6 +54,12 @@ struct Brittle {
     template <class T>
     static bool broken(const Params& p, T radius, const BondMotion<T>& motion, const History<T>& /*history*/) {
         return p.Kn * motion.stretch > p.cap * Cap::growth(radius);
+    }
+
+    /// Greatest tension that the bond bears, N; no shear force is too great for it.
+    template <class T>
+    static BondForce<T> caps(const Params& p, T radius, const History<T>& /*history*/) {
+        return {p.cap * Cap::growth(radius), T{std::numeric_limits<double>::infinity()}};
     }
 
     /// All or nothing: a bond that holds has none.

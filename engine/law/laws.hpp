@@ -1,5 +1,5 @@
 // The bond laws, one row each. To add one: write its file like elastic.hpp (equation, Params, History, derive, respond,
-// has_yielded, stored_energy; if it breaks, broken and damage; if it yields, largest_radius and the plastic stretch, shear
+// has_yielded, stored_energy; if it breaks, broken, caps and damage; if it yields, largest_radius and the plastic stretch, shear
 // and work in its History), put it in this list, give it a choice in model/scene.hpp with a word in
 // model/settings_bonds.cpp, a `derived` in model/derived_law.hpp and a row in scripting/bond_laws.cpp. Loops, checks, files
 // and ledger follow.

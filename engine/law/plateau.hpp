@@ -74,6 +74,12 @@ struct Plateau {
                magnitude(motion.shear) > p.slip + 0.5 * p.shear_per_radius * radius;
     }
 
+    /// Greatest tension and greatest shear force that the bond bears now, N.
+    template <class T>
+    static BondForce<T> caps(const Params& p, T radius, const History<T>& /*history*/) {
+        return {p.Kn * p.stretch_per_radius * radius, p.Kt * p.shear_per_radius * radius};
+    }
+
     /// Share of the way from first yield to breaking, 0 to 1.
     template <class T>
     static T damage(const Params& p, T /*radius*/, const History<T>& history) {

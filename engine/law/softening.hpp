@@ -89,6 +89,13 @@ struct Softening {
         return history.lost >= 1.0;
     }
 
+    /// Greatest tension and greatest shear force that the bond bears now, N.
+    template <class T>
+    static BondForce<T> caps(const Params& p, T radius, const History<T>& history) {
+        const T left = 1.0 - history.lost;
+        return {left * (p.Kn * p.stretch_per_radius * radius), left * (p.Kt * p.shear_per_radius * radius)};
+    }
+
     /// Share of the strength that is gone, 0 to 1.
     template <class T>
     static T damage(const Params& /*p*/, T /*radius*/, const History<T>& history) {

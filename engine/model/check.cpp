@@ -232,6 +232,15 @@ void check_probe(const Probe& probe, const std::vector<std::string>& measurable,
                  did_you_mean(probe.measure, measurable));
 }
 
+void check_bond_probe(const BondProbe& probe, const Scene& scene, Findings& findings) {
+    if (probe.at.has_value() == probe.between.has_value()) {
+        findings.add(probe.place, "bond_probe.at", "", "exactly one of at and between must be given");
+    }
+    if (probe.body >= scene.bodies.size()) return;
+    const Body& body = scene.bodies[probe.body];
+    if (!network_of(body)) findings.add(probe.place, "bond_probe.body", quoted(body.name), "has no bonds");
+}
+
 /// Results are found by name, so a name must belong to one thing of its kind.
 template <class Named>
 void check_names(const std::vector<Named>& all, const std::string& word, Findings& findings) {
@@ -306,9 +315,11 @@ std::vector<Problem> check(const Scene& scene, const std::vector<std::string>& m
     for (Problem& problem : fracture_problems(scene)) findings.problems.push_back(std::move(problem));
     for (const Damping& damping : scene.dampings) check_damping(damping, findings);
     for (const Probe& probe : scene.probes) check_probe(probe, measurable, findings);
+    for (const BondProbe& probe : scene.bond_probes) check_bond_probe(probe, scene, findings);
     check_names(scene.bodies, "body", findings);
     check_names(scene.walls, "wall", findings);
     check_names(scene.probes, "probe", findings);
+    check_names(scene.bond_probes, "bond_probe", findings);
     return std::move(findings.problems);
 }
 

@@ -8,6 +8,7 @@
 #include "engine/model/packings.hpp"
 #include "engine/model/region.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -176,6 +177,18 @@ struct Probe {
     Place place;
 };
 
+/// Numbers of two elements, as the field `id` has them.
+using IdPair = std::array<std::uint64_t, 2>;
+
+/// What one bond bears, could bear and how far it has gone, written to the history.
+struct BondProbe {
+    std::string name;
+    std::size_t body = 0;
+    std::optional<Vec2> at;        ///< the bond whose middle is nearest to this place when the probe is first used, m
+    std::optional<IdPair> between; ///< the bond of these two; exactly one of `at` and `between` is given
+    Place place;
+};
+
 enum class StepRule {
     sharp, ///< the assembly's highest frequency by iteration, never below it
     bound, ///< the sum of what each element feels while the others stand still, times two
@@ -210,6 +223,7 @@ struct Scene {
     std::vector<Notch> notches;
     std::vector<Damping> dampings; ///< the last one counts
     std::vector<Probe> probes;
+    std::vector<BondProbe> bond_probes;
 };
 
 } // namespace demlua::model

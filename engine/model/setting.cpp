@@ -35,6 +35,7 @@ Kind kind(const std::uint64_t* /*v*/) { return {"a whole number", "integer"}; }
 Kind kind(const std::string* /*v*/) { return {"a text in quotes", "string"}; }
 Kind kind(const Vec2* /*v*/) { return {"two numbers { x, y }", "number[]"}; }
 Kind kind(const std::optional<Vec2>* /*v*/) { return {"two numbers { x, y }", "number[]"}; }
+Kind kind(const std::optional<IdPair>* /*v*/) { return {"numbers of two elements { i, j }", "integer[]"}; }
 Kind kind(const Signal* /*v*/) { return {signal_words, signal_lua}; }
 Kind kind(const std::optional<Signal>* /*v*/) { return {signal_words, signal_lua}; }
 Kind kind(const SignalPairSlot& /*v*/) { return {std::string("{ x, y }, each ") + signal_words, "table"}; }
@@ -96,6 +97,8 @@ const Setting* Word::find(const std::string& setting) const {
 
 std::string text_of(double number) { return fmt::format("{}", number); }
 
+std::string text_of(const IdPair& ids) { return fmt::format("{{ {}, {} }}", ids[0], ids[1]); }
+
 std::string text_of(const Slot& slot) {
     return std::visit(Overloaded{
                           [](double* v) { return text_of(*v); },
@@ -106,6 +109,7 @@ std::string text_of(const Slot& slot) {
                           [](std::string* v) { return v->empty() ? std::string{} : quoted(*v); },
                           [](Vec2* v) { return pair_text(*v); },
                           [](std::optional<Vec2>* v) { return *v ? pair_text(**v) : std::string{}; },
+                          [](std::optional<IdPair>* v) { return *v ? text_of(**v) : std::string{}; },
                           [](Signal* v) { return signal_text(*v); },
                           [](std::optional<Signal>* v) { return *v ? signal_text(**v) : std::string{}; },
                           [](const ChoiceSlot& v) { return quoted((*v.names)[v.get(v.value)]); },

@@ -107,6 +107,7 @@ const WordOf<Wall>& wall_move();
 const WordOf<Notch>& notch();
 const WordOf<Damping>& damping();
 const WordOf<Probe>& probe();
+const WordOf<BondProbe>& bond_probe();
 
 const WordOf<HistorySaid>& history();
 const WordOf<OutputSaid>& output();

@@ -146,6 +146,22 @@ const WordOf<Probe>& probe() {
     return made;
 }
 
+const WordOf<BondProbe>& bond_probe() {
+    static const WordOf<BondProbe> made = word<BondProbe>(
+        "sim:bond_probe",
+        "Writes to the history what one bond bears and how far it has gone: NAME_normal, NAME_shear (forces, N; "
+        "tension positive), NAME_stretch, NAME_slide (m), and where bonds can break NAME_cap_normal, NAME_cap_shear "
+        "(the most it bears now, N; no column without a cap), NAME_damage (0 to 1) and NAME_state (0 elastic, 1 "
+        "yielded, 2 broken).",
+        "", R"(sim:bond_probe { plate, name = "tip", at = { 0.03, 0.5 } })",
+        {row<&BondProbe::body, BodySlot>("body", required, "which; the word itself may be left out").at(1),
+         row<&BondProbe::name>("name", required, "before the columns' names"),
+         row<&BondProbe::at>("at", "m", optional, any, "the bond whose middle is nearest to this place"),
+         row<&BondProbe::between>("between", optional,
+                                  "the bond of these elements, numbered as the field id has them")});
+    return made;
+}
+
 const WordOf<HistorySaid>& history() {
     static const WordOf<HistorySaid> made = word<HistorySaid>(
         "sim:history", "Adds columns to the history. What several calls ask adds up and stays in force for later runs.",
@@ -253,6 +269,7 @@ const std::vector<const Word*>& all_words() {
                                                 &words::notch(),
                                                 &words::damping(),
                                                 &words::probe(),
+                                                &words::bond_probe(),
                                                 &words::history(),
                                                 &words::output(),
                                                 &words::every(),

@@ -1,25 +1,18 @@
 #include "engine/observe/fields.hpp"
 
+#include "engine/observe/bond_reading.hpp"
 #include "engine/observe/cracks.hpp"
 #include "engine/observe/ledger.hpp"
 #include "engine/observe/stress.hpp"
 #include "engine/state/parts.hpp"
-#include "engine/step/facet_forces.hpp"
 
 #include <algorithm>
-#include <type_traits>
 
 namespace demlua::observe {
 
 namespace {
 
 bool always(const state::State& /*state*/) { return true; }
-
-bool can_break(const state::State& state) {
-    return std::any_of(state.bond_sets.begin(), state.bond_sets.end(), [](const state::AnyBondSet& any) {
-        return std::visit([](const auto& bonds) { return std::decay_t<decltype(bonds)>::law::breaks; }, any);
-    });
-}
 
 bool has_clusters(const state::State& state) {
     const Column<Index>& cluster = state.elements.cluster;
@@ -110,16 +103,6 @@ FieldValues coordinations(const state::State& state) {
     return count;
 }
 
-template <class Bonds>
-double bond_damage(const Bonds& bonds, std::size_t k) {
-    using Law = typename Bonds::law;
-    if constexpr (Law::breaks) {
-        if (bonds.is_broken(k)) return 1.0;
-        return Law::damage(step::params_of(bonds, k), bonds.radius[k], bonds.history.at(k));
-    }
-    return 0.0;
-}
-
 /// Mean damage of the bonds an element started with.
 FieldValues damages(const state::State& state) {
     std::vector<double> sum(state.elements.size());
@@ -146,21 +129,16 @@ struct BondColumns {
     std::vector<double> normal, shear, stretch, damage, break_time;
 };
 
-enum BondState : std::int32_t { intact = 0, plastic = 1, broken = 2 };
-
 template <class Bonds>
 void add_bond(const state::State& state, const Bonds& bonds, std::size_t k, BondColumns& columns) {
-    const law::BondMotion<double> motion = step::motion_of(bonds, state.elements, k);
-    const bool gone = bonds.is_broken(k);
-    const double damage = bond_damage(bonds, k);
-    const law::BondForce<double> force = gone ? law::BondForce<double>{} : step::held_force(bonds, state.elements, k);
-    columns.state.push_back(gone ? broken : (damage > 0.0 ? plastic : intact));
-    columns.normal.push_back(force.normal);
-    columns.shear.push_back(force.shear);
-    columns.stretch.push_back(motion.stretch);
-    columns.damage.push_back(damage);
+    const BondReading bond = read_bond(bonds, state.elements, k);
+    columns.state.push_back(bond.state);
+    columns.normal.push_back(bond.force.normal);
+    columns.shear.push_back(bond.force.shear);
+    columns.stretch.push_back(bond.stretch);
+    columns.damage.push_back(bond.damage);
     double when = -1.0;
-    if constexpr (Bonds::law::breaks) when = gone ? bonds.break_time[k] : -1.0;
+    if constexpr (Bonds::law::breaks) when = bonds.is_broken(k) ? bonds.break_time[k] : -1.0;
     columns.break_time.push_back(when);
 }
 

@@ -1,4 +1,5 @@
 // Fields and history of a simulation by name.
+#include "engine/observe/cracks.hpp"
 #include "engine/observe/fields.hpp"
 #include "engine/observe/simulation.hpp"
 #include "engine/state/selection.hpp"
@@ -73,9 +74,7 @@ HistoryRow Simulation::history_row() const {
     HistoryRow row{{"time", time()}, {"step", static_cast<double>(step())}};
     const Ledger energy = ledger();
     const bool bonded = !state_->bond_sets.empty();
-    const bool breaks = std::any_of(state_->bond_sets.begin(), state_->bond_sets.end(), [](const auto& any) {
-        return std::visit([](const auto& bonds) { return std::decay_t<decltype(bonds)>::law::breaks; }, any);
-    });
+    const bool breaks = can_break(*state_);
     const bool dashpots = std::any_of(state_->bond_sets.begin(), state_->bond_sets.end(), [](const auto& any) {
         return std::visit([](const auto& bonds) { return bonds.dashpots.present(); }, any);
     });
@@ -102,6 +101,7 @@ HistoryRow Simulation::history_row() const {
     column(true, "contacts", static_cast<double>(contact_count()));
     column(breaks, "broken_bonds", static_cast<double>(broken_bonds()));
     column(breaks, "crack_length", breaks ? crack_length() : 0.0);
+    column(breaks, "surface_energy", breaks ? surface_energy() : 0.0);
     column(breaks, "fragments", breaks ? static_cast<double>(fragments()) : 0.0);
     add_probes(row);
     return row;

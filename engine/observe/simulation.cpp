@@ -1,5 +1,6 @@
 #include "engine/observe/simulation.hpp"
 
+#include "engine/observe/bond_probes.hpp"
 #include "engine/observe/cracks.hpp"
 #include "engine/observe/fields.hpp"
 #include "engine/observe/hash.hpp"
@@ -40,6 +41,7 @@ struct Taken {
     std::vector<Moved> motions;
     std::vector<std::size_t> forces;    ///< their rows of State::loads
     std::vector<std::size_t> tractions; ///< likewise
+    std::vector<ProbedBond> probed;     ///< by row of the scene's bond probes
 };
 
 law::Rayleigh rayleigh_of(const model::Damping& damping) {
@@ -173,6 +175,10 @@ void Simulation::take_in(const model::Scene& scene) {
             state_->loads.push_back(state::load_of(traction, scene.bodies[traction.selection.body.value()], *state_));
             add_drives(unreplaceable, state::drives_of(traction, *state_));
         });
+    }
+    for (std::size_t row = taken.probed.size(); row < scene.bond_probes.size(); ++row) {
+        taken.probed.emplace_back();
+        attempt([&] { taken.probed.back() = bond_of(scene.bond_probes[row], *state_); });
     }
     if (!problems.empty()) throw SceneError(std::move(problems));
     if (taken.dampings < scene.dampings.size()) {
@@ -388,6 +394,7 @@ std::size_t Simulation::contact_count() const {
 
 std::size_t Simulation::broken_bonds() const { return broken_bond_count(*state_); }
 double Simulation::crack_length() const { return crack_length_of(*state_); }
+double Simulation::surface_energy() const { return surface_energy_of(*state_); }
 std::size_t Simulation::fragments() const { return fragment_count(state::part_of_elements(*state_)); }
 
 Ledger Simulation::ledger() const {
@@ -411,12 +418,16 @@ Snapshot Simulation::snapshot() const {
         snapshot.element_fields.push_back({field.name, field.unit, field.components, field.values(*state_)});
     }
     add_bonds_to(snapshot, *state_);
+    add_cracks_to(snapshot, *state_);
     return snapshot;
 }
 
 void Simulation::add_probes(HistoryRow& row) const {
     for (const model::Probe& probe : inside_->scene.probes) {
         row.emplace_back(probe.name, measure(probe.measure, probe.selection));
+    }
+    for (std::size_t k = 0; k < inside_->taken.probed.size(); ++k) {
+        add_bond_columns(row, inside_->scene.bond_probes[k].name, *state_, inside_->taken.probed[k]);
     }
 }
 

@@ -77,7 +77,7 @@ public:
     // --- changing, between runs or from a watcher ------------------------------------------------------------------
 
     /// Takes in what was added to the scene since the last call: supports, motions, forces, tractions, notches,
-    /// damping and probes. Bodies and walls cannot be added once assembled: SceneError.
+    /// damping and probes of both kinds. Bodies and walls cannot be added once assembled: SceneError.
     void take_in(const model::Scene& scene);
     /// Replaced loads and motions keep the elements they were first said for.
     void replace_force(std::size_t row, const model::Force& force);
@@ -99,6 +99,7 @@ public:
     [[nodiscard]] std::size_t broken_bonds() const;
     [[nodiscard]] double
     crack_length() const; ///< m, sum over broken bonds of their facets, or else of the mean diameter of their elements
+    [[nodiscard]] double surface_energy() const; ///< J, what broken bonds took: plastic work and what they still held
     [[nodiscard]] std::size_t fragments() const; ///< parts held together by bonds that are not broken
     [[nodiscard]] Ledger ledger() const;
     [[nodiscard]] Momentum momentum() const;

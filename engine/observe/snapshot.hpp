@@ -21,8 +21,8 @@ struct Field {
     std::variant<std::vector<double>, std::vector<std::int32_t>> values;
 };
 
-/// Elements as points with fields, and bonds as lines between them with fields of their own. A field that the scene
-/// has no use for is not there. Rows stand in the order of the elements' ids.
+/// Elements as points with fields, bonds as lines between them with fields of their own, and the pieces of crack where
+/// bonds have broken. A field that the scene has no use for is not there. Elements stand in the order of their ids.
 struct Snapshot {
     double time = 0.0; ///< s
     std::uint64_t step = 0;
@@ -30,6 +30,8 @@ struct Snapshot {
     std::vector<Field> element_fields;
     std::vector<std::array<Index, 2>> bond_ends; ///< rows of `position`
     std::vector<Field> bond_fields;
+    std::vector<std::array<Vec2, 2>> crack_ends; ///< where they broke, in the order of breaking, m
+    std::vector<Field> crack_fields;             ///< none when no bond can break
 };
 
 /// Where the energy is and where it went, joules. Stored energies are what is there now; the others have been summed

@@ -15,6 +15,7 @@ inline constexpr std::string_view history = "history.csv";
 inline constexpr std::string_view summary = "summary.json";
 inline constexpr std::string_view elements = "elements";
 inline constexpr std::string_view bonds = "bonds";
+inline constexpr std::string_view cracks = "cracks";
 } // namespace names
 
 class RunFolder {

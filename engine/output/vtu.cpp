@@ -165,6 +165,17 @@ std::string bonds_vtu(const Snapshot& snapshot) {
     return text_of(*grid);
 }
 
+std::string cracks_vtu(const Snapshot& snapshot) {
+    vtkNew<vtkUnstructuredGrid> grid;
+    std::vector<Vec2> points;
+    for (const auto& ends : snapshot.crack_ends) points.insert(points.end(), ends.begin(), ends.end());
+    add_points(*grid, points);
+    add_cells(*grid, VTK_LINE, snapshot.crack_ends.size(), 2, [](std::size_t k) { return k; });
+    add_fields(*grid->GetCellData(), snapshot.crack_fields, snapshot.crack_ends.size());
+    add_time(*grid, snapshot);
+    return text_of(*grid);
+}
+
 std::string vtk_version() { return vtkVersion::GetVTKVersion(); }
 
 } // namespace demlua::output

@@ -15,6 +15,9 @@ std::string elements_vtu(const observe::Snapshot& snapshot);
 /// Bonds as lines between the centres of their elements with the bond fields as cell data; else the same.
 std::string bonds_vtu(const observe::Snapshot& snapshot);
 
+/// Pieces of crack as lines with points of their own, and the crack fields as cell data; else the same.
+std::string cracks_vtu(const observe::Snapshot& snapshot);
+
 /// The VTK this program was linked with, e.g. "9.1.0".
 std::string vtk_version();
 

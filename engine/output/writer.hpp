@@ -49,6 +49,8 @@ public:
     [[nodiscard]] std::size_t frames() const { return elements_.size(); }
     /// Whether there is a series of bonds; after drain().
     [[nodiscard]] bool has_bonds() const { return bonds_.size() > 0; }
+    /// Whether there is a series of cracks, be there any or not; after drain().
+    [[nodiscard]] bool has_cracks() const { return cracks_.size() > 0; }
 
 private:
     struct LogLine {
@@ -69,6 +71,7 @@ private:
     RunFolder folder_;
     Series elements_;
     Series bonds_;
+    Series cracks_;
     TextFile log_;
     std::optional<HistoryFile> history_;
     double busy_time_ = 0.0;

@@ -182,6 +182,9 @@ std::size_t cut(State& state, std::size_t body, Vec2 from, Vec2 to) {
                         const Vec2 b = state.elements.position(bonds.j[k]);
                         if (bonds.broken[k] != 0 || !bonding::cut_crosses(from, to, a, b)) continue;
                         const double touch = state.elements.radius[bonds.i[k]] + state.elements.radius[bonds.j[k]];
+                        Crack crack = crack_of(bonds, state.elements, k, state.time, state.step);
+                        crack.mode = CrackMode::notch;
+                        state.cracks.push_back(crack);
                         bonds.broken[k] = 1;
                         bonds.contact_length[k] = std::min(bonds.length[k], touch);
                         ++bonds.broken_count;

@@ -3,6 +3,7 @@
 
 #include "engine/state/bonds.hpp"
 #include "engine/state/contacts.hpp"
+#include "engine/state/cracks.hpp"
 #include "engine/state/elements.hpp"
 
 #include "engine/base/signal.hpp"
@@ -85,6 +86,7 @@ struct State {
     std::vector<Body> bodies;
     std::vector<MaterialFacts> materials;
     std::vector<AnyBondSet> bond_sets;
+    std::vector<Crack> cracks; ///< in the order of breaking, of one step in the order of the bond sets and their rows
     Contacts contacts;
     std::vector<Wall> walls;
     WallContacts wall_contacts;

@@ -27,6 +27,22 @@ double let_go(const state::BondSet<Law>& bonds, const state::Elements& elements,
     return stored_energy(bonds, elements, k);
 }
 
+/// How a bond with params `spring` broke: in tension when it had opened more than it had slid, that is when an unyielding
+/// spring would have stored at least as much in the opening, Kn e^2 >= Kt ut^2 with e > 0.
+template <class Params>
+state::CrackMode crack_mode(const Params& spring, const law::BondMotion<double>& motion) {
+    const double opened = spring.Kn * motion.stretch * motion.stretch;
+    const double slid = spring.Kt * motion.shear * motion.shear;
+    return motion.stretch > 0.0 && opened >= slid ? state::CrackMode::tension : state::CrackMode::shear;
+}
+
+/// Spent by bond `k` while it yielded, J.
+template <class Law>
+double plastic_work(const state::BondTable<Law>& bonds, std::size_t k) {
+    if constexpr (Law::yields) return bonds.history.at(k).work;
+    return 0.0;
+}
+
 /// Takes back what the dashpots of bond `k` booked for the end of the step, where they no longer act.
 template <class Law>
 void let_go_of_dashpots(state::BondTable<Law>& bonds, std::size_t k, law::BondForce<double> rate, double dt) {
@@ -37,9 +53,9 @@ void let_go_of_dashpots(state::BondTable<Law>& bonds, std::size_t k, law::BondFo
 }
 
 /// Takes the bonds named in `breaking` (rows, rising) out of the set: no force from this instant on, energies booked,
-/// and a contact in each one's place. Its reference length is that at which the contact carries on with the bond's normal
-/// force (which is the bond's unstressed length where both are as stiff), no longer than the sum of the radii unless the bond
-/// broke under pressure: falling back to the radii would release the pack's overlap as energy.
+/// a row of the cracks, and a contact in each one's place. Its reference length is that at which the contact carries on
+/// with the bond's normal force (which is the bond's unstressed length where both are as stiff), no longer than the sum of
+/// the radii unless the bond broke under pressure: falling back to the radii would release the pack's overlap as energy.
 template <class Bonds>
 void settle_broken(state::State& state, Bonds& bonds, const std::vector<Index>& breaking,
                    std::vector<NewContact>& contacts) {
@@ -68,8 +84,13 @@ void settle_broken(state::State& state, Bonds& bonds, const std::vector<Index>& 
             // The step that led here moved under the mean of the forces at its ends, not under the bond's alone.
             const double moved_by_less =
                 0.5 * state.dt * ((force.normal - kept.normal) * rate.normal + (force.shear - kept.shear) * rate.shear);
-            bonds.fracture_work +=
+            const double lost =
                 let_go(bonds, elements, k) - law::Coulomb::stored_energy(contact, overlap, settled) - moved_by_less;
+            bonds.fracture_work += lost;
+            state::Crack crack = state::crack_of(bonds, elements, k, state.time, state.step);
+            crack.mode = crack_mode(params_of(bonds, k), motion);
+            crack.energy = plastic_work(bonds, k) + lost;
+            state.cracks.push_back(crack);
             let_go_of_dashpots(bonds, k, rate, state.dt);
             bonds.broken[k] = 1;
             ++bonds.broken_count;

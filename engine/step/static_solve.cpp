@@ -114,6 +114,7 @@ private:
     void evaluate() {
         state_.bond_sets = before_.bond_sets;
         state_.contacts = before_.contacts;
+        state_.cracks = before_.cracks;
         stepper_.search.travelled = std::numeric_limits<double>::infinity();
         const double dt = std::exchange(state_.dt, 0.0);
         compute_forces(state_, stepper_);
