@@ -100,7 +100,8 @@ observe::RunReport RunHost::run(const model::Scene& scene, const RunRequest& req
         Progress progress(terminal_, *simulation_, request.duration);
         const std::vector<observe::Watcher> looking = watchers(request, progress);
         last_report_ = request.rest ? simulation_->solve_static(*request.rest, looking)
-                                    : simulation_->run(request.duration, looking, &interrupted_);
+                       : request.slowly ? simulation_->run_quasi_static(*request.slowly, looking, &interrupted_)
+                                        : simulation_->run(request.duration, looking, &interrupted_);
     }
     // The end of a run is always shown, also one that came early.
     take_row(request.histories);
@@ -116,7 +117,7 @@ void RunHost::begin_run(const model::Scene& scene, const RunRequest& request) {
         simulation_->take_in(scene);
         inputs_ = output::inputs_json(scene, *simulation_);
     }
-    if (!request.rest) terminal_.say(run_outlook(*simulation_, request.duration));
+    if (!request.rest && !request.slowly) terminal_.say(run_outlook(*simulation_, request.duration));
 }
 
 void RunHost::start(const model::Scene& scene) {

@@ -64,9 +64,14 @@ HistoryRequest request_of(Context& context, const History& history) {
     return request;
 }
 
-RunRequest request_of(Context& context, double duration, const std::optional<model::StaticSolve>& rest,
-                      const Place& place) {
-    RunRequest request{duration, rest, context.outputs, {}, {}, place};
+/// How to go on: by steps of motion unless one of these is given.
+struct Way {
+    std::optional<model::StaticSolve> rest;
+    std::optional<model::QuasiStaticRun> slowly;
+};
+
+RunRequest request_of(Context& context, double duration, const Way& way, const Place& place) {
+    RunRequest request{duration, way.rest, way.slowly, context.outputs, {}, {}, place};
     for (const History& history : context.histories) request.histories.push_back(request_of(context, history));
     for (const Periodic& periodic : context.periodics) {
         request.callbacks.push_back({periodic.every, [&context, act = periodic.act](observe::Simulation& simulation) {
@@ -87,9 +92,8 @@ RunRequest without_functions(RunRequest request) {
 /// How long functions of time are followed, s: a static solution reads them at one instant.
 double followed_for(double duration, double begin) { return duration > 0.0 ? duration : 1e-6 * std::max(begin, 1.0); }
 
-observe::RunReport go_on(Context& context, double duration, const std::optional<model::StaticSolve>& rest,
-                         const Place& place) {
-    const std::string word = rest ? "solve_static" : "run";
+observe::RunReport go_on(Context& context, double duration, const Way& way, const Place& place) {
+    const std::string word = way.rest ? "solve_static" : "run";
     if (context.interrupted) throw LuaFailure("interrupted");
     if (context.watched != nullptr) throw LuaFailure("sim:" + word + " cannot be called while a run is going on");
     const bool first = context.runs.empty();
@@ -98,10 +102,10 @@ observe::RunReport go_on(Context& context, double duration, const std::optional<
     if (first && context.scene.bodies.empty()) {
         context.complain({place, word, "", "there is no body to run", ""}, Cause::value);
     }
-    if (rest || duration > 0.0) sample_time_functions(context, begin, begin + followed_for(duration, begin));
+    if (way.rest || duration > 0.0) sample_time_functions(context, begin, begin + followed_for(duration, begin));
     try_place_functions(context);
     if (first || context.simulates()) context.check_model();
-    const RunRequest request = request_of(context, duration, rest, place);
+    const RunRequest request = request_of(context, duration, way, place);
     if (first) context.scene_at_first_run = context.scene;
     if (!context.simulates()) {
         context.runs.push_back(without_functions(request));
@@ -123,11 +127,15 @@ observe::RunReport go_on(Context& context, double duration, const std::optional<
 } // namespace
 
 observe::RunReport run_now(Context& context, double duration, const Place& place) {
-    return go_on(context, duration, std::nullopt, place);
+    return go_on(context, duration, {}, place);
 }
 
 observe::RunReport solve_now(Context& context, const model::StaticSolve& said) {
-    return go_on(context, 0.0, said, said.place);
+    return go_on(context, 0.0, {said, std::nullopt}, said.place);
+}
+
+observe::RunReport run_slowly_now(Context& context, const model::QuasiStaticRun& said) {
+    return go_on(context, said.duration, {std::nullopt, said}, said.place);
 }
 
 } // namespace demlua::scripting

@@ -9,6 +9,9 @@ namespace demlua::scripting {
 /// and RunError.
 observe::RunReport run_now(Context& context, double duration, const Place& place);
 
+/// The same from rest to rest.
+observe::RunReport run_slowly_now(Context& context, const model::QuasiStaticRun& said);
+
 /// The same for a static solution.
 observe::RunReport solve_now(Context& context, const model::StaticSolve& said);
 

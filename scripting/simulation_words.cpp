@@ -186,7 +186,13 @@ int run(lua_State* L) {
     RunSaid said;
     const Call call = call_on_simulation(L, words::run());
     read(call, 2, words::run(), said);
-    const observe::RunReport report = run_now(call.context, said.duration, call.place);
+    model::QuasiStaticRun slowly;
+    slowly.duration = said.duration;
+    slowly.runs_after = said.runs_after;
+    slowly.place = call.place;
+    const observe::RunReport report = said.driver == Driver::quasi_static
+                                          ? run_slowly_now(call.context, slowly)
+                                          : run_now(call.context, said.duration, call.place);
     lua_createtable(L, 0, 3);
     lua_pushstring(L, report.ending == observe::Ending::stopped ? "stopped" : "finished");
     lua_setfield(L, -2, "ending");

@@ -58,6 +58,8 @@ struct EverySaid {
 };
 struct RunSaid {
     double duration = 0.0;
+    Driver driver = Driver::dynamic;
+    std::uint64_t runs_after = QuasiStaticRun{}.runs_after;
 };
 struct Nothing {};
 /// What a study measures; the settings that may be of several kinds are read by the word itself.

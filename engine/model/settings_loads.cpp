@@ -10,6 +10,10 @@ using namespace rows;
 
 namespace {
 
+const Names& driver_names() {
+    static const Names names{"dynamic", "quasi-static"};
+    return names;
+}
 const Names& rotation_names() {
     static const Names names{"free", "held"};
     return names;
@@ -198,7 +202,14 @@ const WordOf<RunSaid>& run() {
                       "Runs the simulation on from where it stands. The lines after it see what came of it and may "
                       "change the model before the next run.",
                       "a report with the fields ending, reason and steps", "sim:run { duration = 6e-3 }",
-                      {row<&RunSaid::duration>("duration", "s", required, positive, "how long")});
+                      {row<&RunSaid::duration>("duration", "s", required, positive, "how long"),
+                       choice<&RunSaid::driver, driver_names>(
+                           "driver",
+                           R"("dynamic": steps of motion; "quasi-static": from rest to rest, as if the loads grew slowly, for bonded bodies without walls, rigid bodies or contacts; the run ends early, with the reason, where there is no rest beyond: the time is then that of the last rest)"),
+                       row<&RunSaid::runs_after>(
+                           "runs_after", "", optional, positive,
+                           "quasi-static: bonds broken one after another while the load stands still, after which "
+                           "there is said to be no rest")});
     return made;
 }
 

@@ -24,24 +24,13 @@ struct BondReading {
     BondState state = elastic;
 };
 
-/// The radius a law is asked with: the bond's own, or 1 for a facet, whose Params are its own.
-template <class Law>
-double radius_for_law(const state::BondSet<Law>& bonds, std::size_t k) {
-    return bonds.radius[k];
-}
-
-template <class Law>
-double radius_for_law(const state::FacetSet<Law>& /*bonds*/, std::size_t /*k*/) {
-    return 1.0;
-}
-
 /// 0 for laws that do not break.
 template <class Bonds>
 double bond_damage(const Bonds& bonds, std::size_t k) {
     using Law = typename Bonds::law;
     if constexpr (Law::breaks) {
         if (bonds.is_broken(k)) return 1.0;
-        return Law::damage(step::params_of(bonds, k), radius_for_law(bonds, k), bonds.history.at(k));
+        return Law::damage(step::params_of(bonds, k), step::law_radius(bonds, k), bonds.history.at(k));
     }
     return 0.0;
 }
@@ -56,7 +45,7 @@ BondReading read_bond(const Bonds& bonds, const state::Elements& elements, std::
     bond.slide = motion.shear;
     bond.damage = bond_damage(bonds, k);
     if constexpr (Law::breaks) {
-        bond.caps = Law::caps(step::params_of(bonds, k), radius_for_law(bonds, k), bonds.history.at(k));
+        bond.caps = Law::caps(step::params_of(bonds, k), step::law_radius(bonds, k), bonds.history.at(k));
     }
     if (bonds.is_broken(k)) {
         bond.state = broken;

@@ -11,6 +11,7 @@
 #include "engine/state/parts.hpp"
 #include "engine/state/selection.hpp"
 #include "engine/step/real_moduli.hpp"
+#include "engine/step/quasi_static.hpp"
 #include "engine/step/static_solve.hpp"
 #include "engine/step/step.hpp"
 #include "engine/step/time_step.hpp"
@@ -65,6 +66,12 @@ double fitted_step(double longest, const std::vector<double>& intervals) {
 
 /// Energy of where the elements stand, J.
 double stored(const Ledger& ledger) { return ledger.bonds + ledger.contacts + ledger.potential; }
+
+/// Energy that is gone for good, J.
+double spent(const Ledger& ledger) {
+    return ledger.plastic + ledger.fracture + ledger.friction + ledger.bond_damping + ledger.contact_damping +
+           ledger.mass_damping;
+}
 
 /// As many threads as there is work for.
 int thread_count(int asked, std::size_t elements) {
@@ -290,8 +297,34 @@ RunReport Simulation::run(double duration, const std::vector<Watcher>& watchers,
     std::sort(intervals.begin(), intervals.end());
     prepare(intervals);
     start_once();
-    RunReport report = run_until(state_->time + duration, watchers, interrupted);
+    const auto step = [this](double /*until*/) {
+        step::advance(*state_, inside_->stepper);
+        if (state_->step % energy_checked_every == 0) check_energy();
+        return true;
+    };
+    RunReport report = run_until(state_->time + duration, watchers, interrupted, step);
     report.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return report;
+}
+
+RunReport Simulation::run_quasi_static(const model::QuasiStaticRun& said, const std::vector<Watcher>& watchers,
+                                       const std::atomic<bool>* interrupted) {
+    const auto begin = std::chrono::steady_clock::now();
+    prepare({});
+    start_once();
+    step::QuasiStatic slowly(*state_, inside_->stepper, said);
+    const auto rest = [&](double until) {
+        const Ledger before = ledger_of(*state_);
+        const bool found = slowly.advance(until);
+        const Ledger after = ledger_of(*state_);
+        state_->booked.loads += stored(after) + spent(after) - stored(before) - spent(before);
+        inside_->balance_at_start += balance(ledger_of(*state_)) - balance(before);
+        if (!found) stop(slowly.why());
+        return found;
+    };
+    RunReport report = run_until(state_->time + said.duration, watchers, interrupted, rest);
+    report.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    if (!slowly.why().empty()) inside_->notes.push_back(slowly.why());
     return report;
 }
 
@@ -320,7 +353,7 @@ RunReport Simulation::solve_static(const model::StaticSolve& said, const std::ve
 }
 
 RunReport Simulation::run_until(double end, const std::vector<Watcher>& watchers,
-                                const std::atomic<bool>* interrupted) {
+                                const std::atomic<bool>* interrupted, const std::function<bool(double)>& go) {
     const double begin = state_->time;
     const std::uint64_t first_step = state_->step;
     const double tolerance = 1e-6 * state_->dt;
@@ -340,8 +373,17 @@ RunReport Simulation::run_until(double end, const std::vector<Watcher>& watchers
         if (asked_to_end) report.ending = Ending::interrupted;
         if (inside_->stopping) report.ending = Ending::stopped;
         if (last || inside_->stopping) break;
-        step::advance(*state_, inside_->stepper);
-        if (state_->step % energy_checked_every == 0) check_energy();
+        double next = end;
+        for (std::size_t w = 0; w < watchers.size(); ++w) {
+            if (watchers[w].every > 0.0) {
+                next = std::min(next, begin + static_cast<double>(looked[w]) * watchers[w].every);
+            }
+        }
+        if (!go(next)) {
+            for (const Watcher& watcher : watchers) watcher.act(*this);
+            report.ending = Ending::stopped;
+            break;
+        }
     }
     report.reason = inside_->stop_reason;
     report.steps = state_->step - first_step;
@@ -350,8 +392,8 @@ RunReport Simulation::run_until(double end, const std::vector<Watcher>& watchers
 
 void Simulation::check_energy() const {
     const Ledger now = ledger();
-    const double spent = now.plastic + now.fracture + now.friction + now.bond_damping + now.contact_damping;
-    const double scale = std::fabs(inside_->balance_at_start) + std::fabs(now.work) + std::fabs(now.potential) + spent;
+    const double scale =
+        std::fabs(inside_->balance_at_start) + std::fabs(now.work) + std::fabs(now.potential) + spent(now);
     if (now.error <= scale) return;
     const state::Elements& elements = state_->elements;
     std::size_t fastest = 0;

@@ -67,6 +67,10 @@ public:
     /// `interrupted`, when given, is polled between steps.
     RunReport run(double duration, const std::vector<Watcher>& watchers,
                   const std::atomic<bool>* interrupted = nullptr);
+    /// The same from rest to rest (step/quasi_static.hpp); loads are taken to grow slowly, as by solve_static. Ends as
+    /// stopped, with the reason, where there is no rest beyond; the state is then the last one at rest.
+    RunReport run_quasi_static(const model::QuasiStaticRun& said, const std::vector<Watcher>& watchers,
+                               const std::atomic<bool>* interrupted = nullptr);
     /// Moves the elements to rest under the loads of this instant (step/static_solve.hpp); watchers act before and after.
     /// Counts as one step. Loads are taken to grow slowly: their work is what the stored energies change by; the kinetic
     /// energy of what moved is gone. Throws SceneError, leaving the state as it was.
@@ -133,7 +137,9 @@ private:
     void prepare(const std::vector<double>& intervals);
     void start_once();
     [[nodiscard]] double step_in_flight(double ahead) const;
-    RunReport run_until(double end, const std::vector<Watcher>& watchers, const std::atomic<bool>* interrupted);
+    /// `go` moves the state on, to the time it is given at most if it can; false when it cannot go on.
+    RunReport run_until(double end, const std::vector<Watcher>& watchers, const std::atomic<bool>* interrupted,
+                        const std::function<bool(double)>& go);
     void check_energy() const;
     void add_probes(HistoryRow& row) const;
 

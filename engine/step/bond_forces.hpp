@@ -39,6 +39,16 @@ typename Law::Params params_of(const state::BondSet<Law>& bonds, std::size_t /*k
     return bonds.params;
 }
 
+/// The radius a law is asked with: the bond's own, or 1 for a facet, whose Params are its own.
+template <class Law>
+double law_radius(const state::BondSet<Law>& bonds, std::size_t k) {
+    return bonds.radius[k];
+}
+template <class Law>
+double law_radius(const state::FacetSet<Law>& /*bonds*/, std::size_t /*k*/) {
+    return 1.0;
+}
+
 /// Force of the springs at the present instant, N.
 template <class Law>
 law::BondForce<double> held_force(const state::BondSet<Law>& bonds, const state::Elements& elements, std::size_t k) {

@@ -1,10 +1,8 @@
 #include "engine/step/static_solve.hpp"
 
-#include "engine/state/parts.hpp"
-#include "engine/step/held.hpp"
+#include "engine/step/at_rest.hpp"
 #include "engine/step/held_system.hpp"
 #include "engine/step/loads.hpp"
-#include "engine/step/motion.hpp"
 #include "engine/step/springs.hpp"
 
 #include <algorithm>
@@ -20,20 +18,6 @@
 namespace demlua::step {
 
 namespace {
-
-[[noreturn]] void refuse(const model::StaticSolve& said, const std::string& rule, const std::string& hint) {
-    throw SceneError(Problem{said.place, "solve_static", "", rule, hint});
-}
-
-/// The first contact that presses, as words.
-std::optional<std::string> pressed_contact(const state::State& state) {
-    const state::Contacts& contacts = state.contacts;
-    for (std::size_t c = 0; c < contacts.size(); ++c) {
-        if (contacts.overlap[c] <= 0.0) continue;
-        return fmt::format("elements {} and {} press on each other", contacts.i[c], contacts.j[c]);
-    }
-    return std::nullopt;
-}
 
 /// The first bond, in words, that has yielded or broken since.
 template <class Bonds>
@@ -51,12 +35,8 @@ std::optional<std::string> yielded(const Bonds& now, const Bonds& before) {
 class Rest {
 public:
     Rest(state::State& state, Stepper& stepper, const model::StaticSolve& said)
-        : state_(state), stepper_(stepper), said_(said), before_(state),
-          per_radius_(Eigen::VectorXd::Ones(static_cast<Eigen::Index>(3 * state.elements.size()))) {
-        for (std::size_t k = 0; k < state.elements.size(); ++k) {
-            per_radius_[static_cast<Eigen::Index>(3 * k + 2)] = 1.0 / state.elements.radius[k];
-        }
-    }
+        : state_(state), stepper_(stepper), said_(said), asked_{said.place, "solve_static"}, before_(state),
+          per_radius_(freedoms_per_radius(state.elements)) {}
 
     StaticAnswer find() {
         try {
@@ -70,43 +50,16 @@ public:
 
 private:
     StaticAnswer find_or_throw() {
-        refuse_what_is_not_bonds();
+        refuse_what_is_not_bonds(state_, asked_);
         ++state_.step;
         state_.time += state_.dt;
-        stop();
+        stop_motion(state_.elements);
         held_ = held_freedoms(state_);
-        refuse_floating();
+        refuse_floating(state_, held_, asked_);
         StaticAnswer answer = said_.linear ? once() : repeatedly();
         evaluate();
         settle();
         return answer;
-    }
-
-    void refuse_what_is_not_bonds() const {
-        if (!state_.walls.empty()) refuse(said_, "knows no walls", "run the scene to rest instead");
-        if (!state_.rigid_bodies.empty()) refuse(said_, "knows no rigid bodies", "run the scene to rest instead");
-        if (const auto pressed = pressed_contact(state_)) {
-            refuse(said_, "knows bonds only, and " + *pressed, "run the scene to rest instead");
-        }
-    }
-
-    void refuse_floating() const {
-        constexpr std::size_t most_told = 5;
-        std::vector<Problem> problems;
-        for (const std::vector<std::size_t>& part : floating_parts(state_, held_)) {
-            if (problems.size() == most_told) break;
-            problems.push_back({said_.place, "solve_static", "",
-                                fmt::format("{} {} held by nothing", state::name_elements(state_, part),
-                                            part.size() == 1 ? "is" : "are"),
-                                "hold what may not move with sim:fix"});
-        }
-        if (!problems.empty()) throw SceneError(std::move(problems));
-    }
-
-    void stop() {
-        for (Column<double>* column : {&state_.elements.vx, &state_.elements.vy, &state_.elements.spin}) {
-            std::fill(column->begin(), column->end(), 0.0);
-        }
     }
 
     /// Forces where the elements stand, from the memory that bonds and contacts had before: on the way to rest nothing is
@@ -119,24 +72,6 @@ private:
         const double dt = std::exchange(state_.dt, 0.0);
         compute_forces(state_, stepper_);
         state_.dt = dt;
-    }
-
-    [[nodiscard]] Eigen::VectorXd forces_per_radius() const {
-        const state::Elements& elements = state_.elements;
-        Eigen::VectorXd force(per_radius_.size());
-        for (std::size_t k = 0; k < elements.size(); ++k) {
-            const auto row = static_cast<Eigen::Index>(3 * k);
-            force[row] = elements.fx[k];
-            force[row + 1] = elements.fy[k];
-            force[row + 2] = elements.moment[k];
-        }
-        return force.cwiseProduct(per_radius_);
-    }
-
-    [[nodiscard]] Eigen::VectorXd outer_forces() {
-        clear_forces(state_, stepper_.team);
-        add_loads(state_);
-        return forces_per_radius();
     }
 
     /// What is left on free rows, of the loads and reactions.
@@ -167,7 +102,7 @@ private:
         springs.scale(per_radius_);
         const HeldSystem system(springs.stiffness_matrix(), held_.is);
         if (system.singular()) {
-            refuse(said_, "the bonds leave a motion that takes no force", "look for a hinge or a chain");
+            refuse(asked_, "the bonds leave a motion that takes no force", "look for a hinge or a chain");
         }
         return system.solve(force, jump);
     }
@@ -183,20 +118,20 @@ private:
             }
             elements.ux[k] = elements.uy[k] = elements.rotation[k] = 0.0;
         }
-        const Eigen::VectorXd outer = outer_forces();
+        const Eigen::VectorXd outer = outer_forces(state_, stepper_, per_radius_);
         move_by(solution(springs_of(state_), outer, at.cwiseQuotient(per_radius_)));
         evaluate();
-        return {1, share_left(forces_per_radius(), outer.norm())};
+        return {1, share_left(forces_per_radius(state_.elements, per_radius_), outer.norm())};
     }
 
     StaticAnswer repeatedly() {
         constexpr double greatest_turn = 0.2; // rad in one solution; beyond it a tangent says little
-        const double outer = outer_forces().norm();
+        const double outer = outer_forces(state_, stepper_, per_radius_).norm();
         Eigen::VectorXd jump = held_.jump.cwiseQuotient(per_radius_);
         StaticAnswer answer;
         while (true) {
             evaluate();
-            const Eigen::VectorXd force = forces_per_radius();
+            const Eigen::VectorXd force = forces_per_radius(state_.elements, per_radius_);
             answer.residual = share_left(force, outer);
             if (jump.squaredNorm() == 0.0 && answer.residual <= said_.tolerance) return answer;
             if (!std::isfinite(answer.residual) || answer.solutions == static_cast<int>(said_.max_iterations)) break;
@@ -207,7 +142,7 @@ private:
             ++answer.solutions;
         }
         refuse_yielded();
-        refuse(said_,
+        refuse(asked_,
                fmt::format("finds no rest: after {} solutions {:.2g} of the loads is left on free elements",
                            answer.solutions, answer.residual),
                "put the load on in parts, one sim:solve_static after each, or allow a larger tolerance");
@@ -227,7 +162,7 @@ private:
                 [&](const auto& bonds) {
                     using Set = std::decay_t<decltype(bonds)>;
                     const auto one = yielded(bonds, std::get<Set>(before_.bond_sets[set]));
-                    if (one) refuse(said_, "knows elastic bonds only, and " + *one, "run the scene to rest instead");
+                    if (one) refuse(asked_, "knows elastic bonds only, and " + *one, "run the scene to rest instead");
                 },
                 state_.bond_sets[set]);
         }
@@ -236,8 +171,9 @@ private:
     /// Takes the present place as the state at rest, if bonds and contacts allow it.
     void settle() {
         refuse_yielded();
-        if (const auto pressed = pressed_contact(state_)) {
-            refuse(said_, "knows bonds only, and at rest " + *pressed, "run the scene to rest instead");
+        const std::string pressed = pressed_contact(state_);
+        if (!pressed.empty()) {
+            refuse(asked_, "knows bonds only, and at rest " + pressed, "run the scene to rest instead");
         }
         if (!state_.drives.empty()) apply_drives(state_);
     }
@@ -245,6 +181,7 @@ private:
     state::State& state_;
     Stepper& stepper_;
     const model::StaticSolve& said_;
+    RestAsked asked_;
     state::State before_;
     Eigen::VectorXd per_radius_; ///< 1, 1, 1/R of each element: rotation = value / R
     Held held_;

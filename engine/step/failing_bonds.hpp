@@ -1,0 +1,243 @@
+// Bonds that yield or break while loads grow slowly, by the law each set has.
+#pragma once
+
+#include "engine/step/bond_offsets.hpp"
+#include "engine/step/breaking.hpp"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace demlua::step {
+
+/// The law's parameters where bond `k` gives way against a stiffness, and the stiffness they are for: facets are told the
+/// one they meet, pairs know their own.
+template <class Law>
+std::pair<typename Law::Params, law::ContactStiffness> params_against(const state::BondSet<Law>& bonds,
+                                                                      std::size_t /*k*/,
+                                                                      law::ContactStiffness /*met*/) {
+    return {bonds.params, {bonds.params.Kn, bonds.params.Kt}};
+}
+
+template <class Law>
+std::pair<typename Law::Params, law::ContactStiffness> params_against(const state::FacetSet<Law>& bonds, std::size_t k,
+                                                                      law::ContactStiffness met) {
+    return {Law::on_facet(bonds.tractions, met, bonds.area[k], bonds.radius[k]), met};
+}
+
+/// How much of what bond `k` bears now `force` takes up.
+template <class Bonds>
+double share_of_strength(const Bonds& bonds, std::size_t k, law::BondForce<double> force) {
+    using Law = typename Bonds::law;
+    if constexpr (Law::breaks) {
+        const auto caps = Law::caps(params_of(bonds, k), law_radius(bonds, k), bonds.history.at(k));
+        return std::max(force.normal / caps.normal, std::fabs(force.shear) / caps.shear);
+    }
+    return 0.0;
+}
+
+/// One bond that has failed in some way: its offset w (bond_offsets.hpp) since bonding and what its law remembers.
+class FailingBonds {
+public:
+    FailingBonds() = default;
+    virtual ~FailingBonds() = default;
+    FailingBonds(const FailingBonds&) = delete;
+    FailingBonds& operator=(const FailingBonds&) = delete;
+    FailingBonds(FailingBonds&&) = delete;
+    FailingBonds& operator=(FailingBonds&&) = delete;
+
+    // --- all bonds of the set ----------------------------------------------------------------------------------------
+    [[nodiscard]] virtual std::size_t bonds() const = 0;
+    /// Rows of bonds that have an offset from before, or could not be left out of the failing part for another reason.
+    [[nodiscard]] virtual std::vector<std::size_t> offset_before() const = 0;
+    /// Finds the forces in all bonds under displacements `u` and the rows' offsets.
+    virtual void measure(const Eigen::VectorXd& u) = 0;
+    /// How far bond `k` has come to failing as last measured: 1 when it would yield or break. 0 for those that have a row.
+    [[nodiscard]] virtual double use(std::size_t k) const = 0;
+    [[nodiscard]] virtual ElementForces offset_forces(std::size_t k, Eigen::Vector2d w) const = 0;
+    [[nodiscard]] virtual Eigen::Matrix2d coupling(std::size_t k, std::size_t m) const = 0;
+
+    // --- rows --------------------------------------------------------------------------------------------------------
+    /// Gives bond `k`, as last measured, a row.
+    virtual std::size_t add_row(std::size_t k) = 0;
+    [[nodiscard]] virtual std::size_t rows() const = 0;
+    [[nodiscard]] virtual std::size_t bond(std::size_t row) const = 0;
+    [[nodiscard]] virtual Eigen::Vector2d offset(std::size_t row) const = 0;
+    /// A force that is large for this bond, N.
+    [[nodiscard]] virtual double strength(std::size_t row) const = 0;
+    [[nodiscard]] virtual std::size_t broken_rows() const = 0;
+    /// Lets the bond of `row` give way under `force` (N), where an offset w meets `stiffness` (N/m, normal and shear), by
+    /// its law; gives the new part of its offset, m.
+    virtual Eigen::Vector2d give_way(std::size_t row, Eigen::Vector2d force, Eigen::Vector2d stiffness) = 0;
+    /// Rows as they are now come back with `restore`; rows added since are lost.
+    virtual void keep() = 0;
+    virtual void restore() = 0;
+    /// Writes histories into the set and takes broken bonds out of it.
+    virtual void settle(state::State& state, std::vector<NewContact>& contacts) = 0;
+};
+
+template <class Bonds>
+class FailingBondsOf final : public FailingBonds {
+public:
+    using Law = typename Bonds::law;
+    using History = typename Bonds::History;
+
+    /// `contact` is what a broken bond turns into.
+    FailingBondsOf(Bonds& bonds, const law::Coulomb::Params& contact)
+        : bonds_(bonds), network_(bonds), contact_(contact), row_of_(bonds.size(), none) {}
+
+    [[nodiscard]] std::size_t bonds() const override { return bonds_.size(); }
+
+    [[nodiscard]] std::vector<std::size_t> offset_before() const override {
+        std::vector<std::size_t> found;
+        if constexpr (Law::yields) {
+            for (std::size_t k = 0; k < bonds_.size(); ++k) {
+                if (bonds_.is_broken(k)) continue;
+                const History history = bonds_.history.at(k);
+                if (history.stretch != 0.0 || history.shear != 0.0) found.push_back(k);
+            }
+        }
+        return found;
+    }
+
+    void measure(const Eigen::VectorXd& u) override {
+        force_ = network_forces(network_, u);
+        for (const Row& row : rows_) add_offset(row);
+    }
+
+    [[nodiscard]] double use(std::size_t k) const override {
+        if (network_.is_broken(k) || row_of_[k] != none) return 0.0;
+        return share_of_strength(network_, k, {force_[k][0], force_[k][1]});
+    }
+
+    [[nodiscard]] ElementForces offset_forces(std::size_t k, Eigen::Vector2d w) const override {
+        return step::offset_forces(network_, k, w);
+    }
+    [[nodiscard]] Eigen::Matrix2d coupling(std::size_t k, std::size_t m) const override {
+        return offset_coupling(network_, k, m);
+    }
+
+    std::size_t add_row(std::size_t k) override {
+        Row row;
+        row.bond = k;
+        row.history = bonds_.history.at(k);
+        if constexpr (Law::yields) row.offset = {row.history.stretch, row.history.shear};
+        row.strength = std::max(std::fabs(force_[k][0]), std::fabs(force_[k][1]));
+        row_of_[k] = rows_.size();
+        rows_.push_back(row);
+        return rows_.size() - 1;
+    }
+    [[nodiscard]] std::size_t rows() const override { return rows_.size(); }
+    [[nodiscard]] std::size_t bond(std::size_t row) const override { return rows_[row].bond; }
+    [[nodiscard]] Eigen::Vector2d offset(std::size_t row) const override { return rows_[row].offset; }
+    [[nodiscard]] double strength(std::size_t row) const override { return rows_[row].strength; }
+    [[nodiscard]] std::size_t broken_rows() const override {
+        return static_cast<std::size_t>(
+            std::count_if(rows_.begin(), rows_.end(), [](const Row& row) { return row.broken; }));
+    }
+
+    Eigen::Vector2d give_way(std::size_t number, Eigen::Vector2d force, Eigen::Vector2d stiffness) override {
+        Row& row = rows_[number];
+        const Eigen::Vector2d moved =
+            row.broken ? part(row, force, stiffness) : yield(row, force, stiffness);
+        row.offset += moved;
+        return moved;
+    }
+
+    void keep() override { kept_ = rows_; }
+    void restore() override { rows_ = kept_; }
+
+    void settle(state::State& state, std::vector<NewContact>& contacts) override {
+        std::vector<Index> breaking;
+        double released = 0.0;
+        for (Row& row : rows_) {
+            if constexpr (Law::yields) {
+                row.history.stretch = row.offset[0];
+                row.history.shear = row.offset[1];
+            }
+            if (!row.settled) bonds_.history.store(row.bond, row.history);
+            if (!row.broken || row.settled) continue;
+            breaking.push_back(static_cast<Index>(row.bond));
+            released += row.released;
+            row.settled = true;
+        }
+        std::sort(breaking.begin(), breaking.end());
+        const double before = bonds_.fracture_work;
+        settle_broken(state, bonds_, breaking, contacts);
+        bonds_.fracture_work = before + released;
+    }
+
+private:
+    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+    struct Row {
+        std::size_t bond = 0;
+        History history{};
+        Eigen::Vector2d offset = Eigen::Vector2d::Zero();
+        double strength = 0.0;
+        bool broken = false;
+        bool settled = false;   ///< broken in the set as well
+        double closed = 0.0;    ///< normal offset at which the faces of a broken bond touch, m
+        double released = 0.0;  ///< stored in the bond when it broke, J
+    };
+
+    /// By the law of the bond while it holds.
+    Eigen::Vector2d yield(Row& row, Eigen::Vector2d force, Eigen::Vector2d stiffness) {
+        if constexpr (Law::breaks) {
+            const auto [params, met] = params_against(network_, row.bond, {stiffness[0], stiffness[1]});
+            const double radius = law_radius(network_, row.bond);
+            History history = row.history;
+            law::BondMotion<double> motion;
+            motion.stretch = force[0] / met.normal;
+            motion.shear = met.shear > 0.0 ? force[1] / met.shear : 0.0;
+            if constexpr (Law::yields) {
+                motion.stretch += history.stretch;
+                motion.shear += history.shear;
+            }
+            Law::respond(params, radius, motion, history);
+            row.broken = Law::broken(params, radius, motion, history);
+            Eigen::Vector2d moved = Eigen::Vector2d::Zero();
+            if constexpr (Law::yields) {
+                moved = {history.stretch - row.history.stretch, history.shear - row.history.shear};
+            } else if (row.broken) {
+                row.released = 0.5 * force.cwiseAbs2().cwiseQuotient(stiffness.cwiseMax(1e-300)).sum();
+            }
+            row.history = history;
+            if (row.broken) row.closed = row.offset[0] + moved[0];
+            return moved;
+        }
+        return Eigen::Vector2d::Zero();
+    }
+
+    /// A broken bond bears no pull; its faces touch when its offset has come back to what it was at breaking, and then
+    /// rub.
+    [[nodiscard]] Eigen::Vector2d part(const Row& row, Eigen::Vector2d force, Eigen::Vector2d stiffness) const {
+        Eigen::Vector2d moved;
+        moved[0] = std::max(force[0] / stiffness[0], row.closed - row.offset[0]);
+        const double pressed = std::max(0.0, stiffness[0] * moved[0] - force[0]);
+        const double over = std::max(0.0, std::fabs(force[1]) - contact_.mu * pressed);
+        moved[1] = stiffness[1] > 0.0 ? std::copysign(over / stiffness[1], force[1]) : 0.0;
+        return moved;
+    }
+
+    /// Takes the row's offset out of the measured forces.
+    void add_offset(const Row& row) {
+        if (row.offset == Eigen::Vector2d::Zero()) return;
+        for (const std::size_t m : coupled_bonds(network_, row.bond)) {
+            force_[m] -= offset_coupling(network_, m, row.bond) * row.offset;
+        }
+    }
+
+    Bonds& bonds_;
+    Bonds network_; ///< as it was factorised
+    law::Coulomb::Params contact_;
+    std::vector<std::size_t> row_of_;
+    std::vector<Row> rows_;
+    std::vector<Row> kept_;
+    std::vector<Eigen::Vector2d> force_; ///< of every bond as last measured, N
+};
+
+} // namespace demlua::step

@@ -1,0 +1,96 @@
+#include "engine/step/failing_part.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace demlua::step {
+
+namespace {
+
+void put(const ElementForces& forces, double factor, const Eigen::VectorXd& per_radius, Eigen::VectorXd& sum) {
+    for (const SpringEnd& end : forces) {
+        const auto row = static_cast<Eigen::Index>(3 * end.element);
+        sum[row] += factor * end.x;
+        sum[row + 1] += factor * end.y;
+        sum[row + 2] += factor * end.turn * per_radius[row + 2];
+    }
+}
+
+} // namespace
+
+Eigen::VectorXd FailingPart::response(const ElementForces& forces) const {
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(per_radius_.size());
+    put(forces, 1.0, per_radius_, right);
+    return system_.solve(right, Eigen::VectorXd::Zero(right.size())).cwiseProduct(per_radius_);
+}
+
+void FailingPart::add(FailingBonds& set, std::size_t bond) {
+    const auto mine = static_cast<Eigen::Index>(2 * members_.size());
+    if (mine + 2 > B_.rows()) B_.conservativeResize(2 * mine + 32, 2 * mine + 32);
+    const std::size_t row = set.add_row(bond);
+    members_.push_back({&set, row,
+                        {set.offset_forces(bond, Eigen::Vector2d::UnitX()),
+                         set.offset_forces(bond, Eigen::Vector2d::UnitY())}});
+    for (const Eigen::Index c : {0, 1}) {
+        const Eigen::VectorXd u = response(members_.back().forces[static_cast<std::size_t>(c)]);
+        for (std::size_t n = 0; n < members_.size(); ++n) {
+            const Member& other = members_[n];
+            Eigen::Vector2d force{work_of(other.forces[0], u), work_of(other.forces[1], u)};
+            if (other.set == &set) force -= set.coupling(set.bond(other.row), bond).col(c);
+            const auto its = static_cast<Eigen::Index>(2 * n);
+            B_.block<2, 1>(its, mine + c) = force;
+            B_.block<1, 2>(mine + c, its) = force.transpose();
+        }
+    }
+}
+
+Eigen::VectorXd FailingPart::offsets() const {
+    Eigen::VectorXd w(static_cast<Eigen::Index>(2 * members_.size()));
+    for (std::size_t n = 0; n < members_.size(); ++n) {
+        w.segment<2>(static_cast<Eigen::Index>(2 * n)) = members_[n].set->offset(members_[n].row);
+    }
+    return w;
+}
+
+double FailingPart::relax(const Eigen::VectorXd& loaded, double tolerance, int sweeps) {
+    const auto size = static_cast<Eigen::Index>(2 * members_.size());
+    Eigen::VectorXd force = B_.topLeftCorner(size, size) * offsets();
+    for (std::size_t n = 0; n < members_.size(); ++n) {
+        const auto at = static_cast<Eigen::Index>(2 * n);
+        for (const Eigen::Index c : {0, 1}) {
+            force[at + c] += work_of(members_[n].forces[static_cast<std::size_t>(c)], loaded);
+        }
+    }
+    double worst = 0.0;
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+        worst = 0.0;
+        for (std::size_t n = 0; n < members_.size(); ++n) {
+            const auto at = static_cast<Eigen::Index>(2 * n);
+            const Member& member = members_[n];
+            const Eigen::Vector2d stiffness{-B_(at, at), -B_(at + 1, at + 1)};
+            const Eigen::Vector2d moved = member.set->give_way(member.row, force.segment<2>(at), stiffness);
+            if (moved == Eigen::Vector2d::Zero()) continue;
+            force.noalias() += B_.block(0, at, size, 2) * moved;
+            worst = std::max(worst, stiffness.cwiseProduct(moved).norm() / member.set->strength(member.row));
+        }
+        if (worst <= tolerance) break;
+    }
+    return worst;
+}
+
+Eigen::VectorXd FailingPart::displacements() const {
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(per_radius_.size());
+    for (const Member& member : members_) {
+        const Eigen::Vector2d w = member.set->offset(member.row);
+        for (const Eigen::Index c : {0, 1}) {
+            if (w[c] != 0.0) put(member.forces[static_cast<std::size_t>(c)], w[c], per_radius_, right);
+        }
+    }
+    return system_.solve(right, Eigen::VectorXd::Zero(right.size())).cwiseProduct(per_radius_);
+}
+
+double FailingPart::largest_offset() const {
+    return members_.empty() ? 0.0 : offsets().cwiseAbs().maxCoeff();
+}
+
+} // namespace demlua::step

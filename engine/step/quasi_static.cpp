@@ -1,0 +1,182 @@
+#include "engine/step/quasi_static.hpp"
+
+#include "engine/step/loads.hpp"
+#include "engine/step/springs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+namespace demlua::step {
+
+namespace {
+
+constexpr double overshoot = 0.005;     ///< by which a bond may exceed its strength before it is let fail
+constexpr double together = 0.98;       ///< bonds within this share of the nearest to failing fail at once
+constexpr int most_sweeps = 20000;      ///< in search of one rest
+constexpr double greatest_opening = 0.1; ///< of an element's radius; beyond, displacements are not small
+constexpr double least_share = 1e-5;    ///< of the run's duration, the shortest way from rest to rest
+
+std::vector<std::unique_ptr<FailingBonds>> failing_sets(state::State& state) {
+    std::vector<std::unique_ptr<FailingBonds>> sets;
+    for (state::AnyBondSet& any : state.bond_sets) {
+        std::visit(
+            [&](auto& bonds) {
+                const std::size_t material = state.bodies[bonds.body].material;
+                sets.push_back(std::make_unique<FailingBondsOf<std::decay_t<decltype(bonds)>>>(
+                    bonds, state.contacts.rules[material * state.contacts.materials + material].params));
+            },
+            any);
+    }
+    return sets;
+}
+
+double least_radius(const state::Elements& elements) {
+    return *std::min_element(elements.radius.begin(), elements.radius.end());
+}
+
+} // namespace
+
+QuasiStatic::QuasiStatic(state::State& state, Stepper& stepper, const model::QuasiStaticRun& said)
+    : state_(state), stepper_(stepper), asked_{said.place, "run"}, said_(said), held_(held_freedoms(state)),
+      per_radius_(freedoms_per_radius(state.elements)), sets_(failing_sets(state)), at_(state.time),
+      ahead_(said.duration / 50.0) {
+    refuse_what_is_not_bonds(state_, asked_);
+    refuse_floating(state_, held_, asked_);
+    Springs springs = springs_of(state_);
+    springs.scale(per_radius_);
+    system_.emplace(springs.stiffness_matrix(), held_.is);
+    if (system_->singular()) {
+        refuse(asked_, "the bonds leave a motion that takes no force", "look for a hinge or a chain");
+    }
+    part_.emplace(*system_, per_radius_);
+    const Eigen::VectorXd nowhere = Eigen::VectorXd::Zero(per_radius_.size());
+    for (const std::unique_ptr<FailingBonds>& set : sets_) {
+        set->measure(nowhere);
+        for (const std::size_t bond : set->offset_before()) part_->add(*set, bond);
+    }
+}
+
+std::size_t QuasiStatic::broken() const {
+    std::size_t count = 0;
+    for (const std::unique_ptr<FailingBonds>& set : sets_) count += set->broken_rows();
+    return count;
+}
+
+/// Rest under the loads of `time` with the bonds that are allowed to fail so far.
+QuasiStatic::Trial QuasiStatic::settle(double time) {
+    const double now = std::exchange(state_.time, time);
+    const Eigen::VectorXd outer = outer_forces(state_, stepper_, per_radius_);
+    const Held held = held_freedoms(state_);
+    state_.time = now;
+    Eigen::VectorXd given = held.jump;
+    for (std::size_t k = 0; k < state_.elements.size(); ++k) {
+        const auto row = static_cast<Eigen::Index>(3 * k);
+        const Eigen::Vector3d stands{state_.elements.ux[k], state_.elements.uy[k], state_.elements.rotation[k]};
+        for (Eigen::Index f = 0; f < 3; ++f) {
+            if (held.is[static_cast<std::size_t>(row + f)] != 0) given[row + f] += stands[f];
+        }
+    }
+    const Eigen::VectorXd loaded =
+        system_->solve(outer, given.cwiseQuotient(per_radius_)).cwiseProduct(per_radius_);
+    Trial trial;
+    trial.left = part_->relax(loaded, said_.tolerance, most_sweeps);
+    displacements_ = loaded + part_->displacements();
+    for (const std::unique_ptr<FailingBonds>& set : sets_) {
+        set->measure(displacements_);
+        for (std::size_t k = 0; k < set->bonds(); ++k) trial.use = std::max(trial.use, set->use(k));
+    }
+    return trial;
+}
+
+std::size_t QuasiStatic::let_fail(double least) {
+    std::size_t count = 0;
+    for (const std::unique_ptr<FailingBonds>& set : sets_) {
+        std::vector<std::size_t> failing;
+        for (std::size_t k = 0; k < set->bonds(); ++k) {
+            if (set->use(k) >= least) failing.push_back(k);
+        }
+        for (const std::size_t k : failing) part_->add(*set, k);
+        count += failing.size();
+    }
+    return count;
+}
+
+bool QuasiStatic::no_rest(double time, const std::string& what) {
+    why_ = fmt::format("no rest beyond t = {:.6g} s: at {:.6g} s {}", at_, time, what);
+    for (const std::unique_ptr<FailingBonds>& set : sets_) set->restore();
+    return false;
+}
+
+/// Lets bonds fail at one instant until none should any more.
+bool QuasiStatic::follow(double time, Trial trial) {
+    const std::size_t broken_before = broken();
+    const std::size_t failing_before = part_->size();
+    const double open = greatest_opening * least_radius(state_.elements);
+    while (true) {
+        if (broken() - broken_before > said_.runs_after) {
+            return no_rest(time, fmt::format("more than {} bonds break one after another", said_.runs_after));
+        }
+        if (part_->largest_offset() > open) return no_rest(time, "bonds open without end");
+        if (trial.left > said_.tolerance) return no_rest(time, "bonds go on yielding");
+        if (part_->size() - failing_before > said_.most_failing) {
+            return no_rest(time, fmt::format("more than {} bonds yield", said_.most_failing));
+        }
+        if (trial.use < 1.0) break;
+        let_fail(std::max(1.0, together * trial.use));
+        trial = settle(time);
+    }
+    use_ = trial.use;
+    place(time);
+    return true;
+}
+
+bool QuasiStatic::advance(double until) {
+    const double shortest = least_share * said_.duration;
+    for (const std::unique_ptr<FailingBonds>& set : sets_) set->keep();
+    while (true) {
+        const double time = std::min(at_ + ahead_, until);
+        const double ahead = time - at_;
+        const Trial trial = settle(time);
+        const bool beyond = trial.use > 1.0 + overshoot || trial.left > said_.tolerance;
+        if (!beyond || ahead <= shortest) {
+            if (!follow(time, trial)) return false;
+            const double rise = (trial.use - use_) / ahead;
+            const double reach = rise > 0.0 ? (1.0 + 0.5 * overshoot - use_) / rise : 2.0 * ahead_;
+            ahead_ = std::clamp(reach, std::max(0.5 * ahead_, shortest), std::max(2.0 * ahead_, shortest));
+            return true;
+        }
+        for (const std::unique_ptr<FailingBonds>& set : sets_) set->restore();
+        const double to_strength = (1.0 + 0.5 * overshoot - use_) / (trial.use - use_) * ahead;
+        ahead_ = std::clamp(to_strength, 0.1 * ahead, 0.7 * ahead);
+        ahead_ = std::max(ahead_, shortest);
+    }
+}
+
+/// Writes the rest that was found into the state.
+void QuasiStatic::place(double time) {
+    state::Elements& elements = state_.elements;
+    for (std::size_t k = 0; k < elements.size(); ++k) {
+        const auto row = static_cast<Eigen::Index>(3 * k);
+        elements.ux[k] = displacements_[row];
+        elements.uy[k] = displacements_[row + 1];
+        elements.rotation[k] = displacements_[row + 2];
+    }
+    stop_motion(elements);
+    at_ = state_.time = time;
+    ++state_.step;
+    std::vector<NewContact> contacts;
+    const double dt = std::exchange(state_.dt, 0.0);
+    for (const std::unique_ptr<FailingBonds>& set : sets_) set->settle(state_, contacts);
+    append_contacts(state_, stepper_.search, contacts);
+    stepper_.search.travelled = std::numeric_limits<double>::infinity();
+    compute_forces(state_, stepper_);
+    state_.dt = dt;
+    if (!state_.drives.empty()) apply_drives(state_);
+}
+
+} // namespace demlua::step
