@@ -176,6 +176,16 @@ const WordOf<EverySaid>& every() {
     return made;
 }
 
+const WordOf<BondBreakSaid>& on_bond_break() {
+    static const WordOf<BondBreakSaid> made = word<BondBreakSaid>(
+        "sim:on_bond_break",
+        "Calls a function for each bond that breaks, at the end of the step in which it does: as in sim:every it may "
+        "read, change and stop. It stays in force for later runs. Bonds that a notch cuts do not count.",
+        "", R"(sim:on_bond_break { function(event, now) print(event.time, event.x, event.y, now.broken_bonds) end })",
+        {row<&BondBreakSaid::act>("act", required, "called with the event and `now`").at(1)});
+    return made;
+}
+
 const WordOf<RunSaid>& run() {
     static const WordOf<RunSaid> made =
         word<RunSaid>("sim:run",
@@ -224,15 +234,15 @@ const WordOf<Nothing>& result() {
 
 const std::vector<const Word*>& all_words() {
     static const std::vector<const Word*> words{
-        &words::param(),        &words::simulation(),   &words::material(),     &words::rectangle(),
-        &words::disc(),         &words::polygon(),      &words::half_plane(),   &words::translated(),
-        &words::rotated(),      &words::close_packed(), &words::consolidated(), &words::relaxed(),
-        &words::disks(),        &words::elastic(),      &words::plateau(),      &words::body(),
-        &words::set_velocity(), &words::fix(),          &words::move(),         &words::force(),
-        &words::traction(),     &words::ramp(),         &words::wall(),         &words::wall_move(),
-        &words::notch(),        &words::damping(),      &words::probe(),        &words::history(),
-        &words::output(),       &words::every(),        &words::run(),          &words::solve_static(),
-        &words::result(),       &words::compare(),      &words::study()};
+        &words::param(),        &words::simulation(),   &words::material(),      &words::rectangle(),
+        &words::disc(),         &words::polygon(),      &words::half_plane(),    &words::translated(),
+        &words::rotated(),      &words::close_packed(), &words::consolidated(),  &words::relaxed(),
+        &words::disks(),        &words::elastic(),      &words::plateau(),       &words::body(),
+        &words::set_velocity(), &words::fix(),          &words::move(),          &words::force(),
+        &words::traction(),     &words::ramp(),         &words::wall(),          &words::wall_move(),
+        &words::notch(),        &words::damping(),      &words::probe(),         &words::history(),
+        &words::output(),       &words::every(),        &words::on_bond_break(), &words::run(),
+        &words::solve_static(), &words::result(),       &words::compare(),       &words::study()};
     return words;
 }
 
