@@ -160,6 +160,9 @@ local dem = {}
 ---@param file string
 ---@return fun(parameters: table)
 function dem.include(file) end
+---@param law string
+---@return fun(settings: table): dem.bonds
+function dem.bond_law(law) end
 
 )";
 

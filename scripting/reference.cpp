@@ -129,6 +129,8 @@ callback, and its signals read as what they are worth at this instant: `pull.str
 after now; the time step stays as it was fitted to the interval first said. A body answers `beam:mean("stress_yy")`,
 `beam:sum("force_y")`, `beam:field("speed")` and, like `now.body.beam`, its motion as a whole: `beam.velocity.y`.
 
+**Bond laws**: `dem.bond_law "plateau"` gives `dem.plateau`, so that a parameter can choose: `dem.bond_law(p.law) { damping = 0.02 }`.
+
 **Several runs**: lines after `sim:run` see what came of it and may add loads, supports and notches, or change them, before
 the next. Bodies and walls must stand before the first run. `sim:history`, `sim:output`, `sim:every` and
 `sim:on_bond_break` stay in force and add up.

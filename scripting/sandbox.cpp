@@ -86,6 +86,7 @@ void open_sandbox(lua_State* L) {
 
     lua_createtable(L, 0, 32);
     add_values(L);
+    add_bond_laws(L);
     add_simulation(L);
     add_handles(L);
     add_now(L);

@@ -1,10 +1,11 @@
-// Words that make values: materials, regions, packings, bond laws, signals.
+// Words that make values: materials, regions, packings, signals; those of bond laws have their own file.
 #include "engine/model/check.hpp"
 #include "engine/model/settings.hpp"
 #include "scripting/read.hpp"
 #include "scripting/sandbox.hpp"
 
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace demlua::scripting {
@@ -19,9 +20,10 @@ int material(lua_State* L) {
     Material made;
     made.place = call.place;
     if (!read(call, 1, words::material(), made)) {
-        // So that a misspelt strength is complained of once, and not again by every body that needs it.
+        // So that a misspelt strength is complained of once, and not again by every body that needs it or finds its
+        // elements too large.
         made.tensile_strength = made.tensile_strength.value_or(1.0);
-        made.fracture_toughness = made.fracture_toughness.value_or(1.0);
+        if (!made.fracture_energy) made.fracture_toughness = made.fracture_toughness.value_or(HUGE_VAL);
     }
     context.scene.materials.push_back(std::move(made));
     push(L, MaterialHandle{context.scene.materials.size() - 1});
@@ -125,14 +127,13 @@ int region_area(lua_State* L) {
     return 1;
 }
 
-// --- packings and bond laws ------------------------------------------------------------------------------------------
+// --- packings --------------------------------------------------------------------------------------------------------
 
-/// Words that become one alternative of a choice as they are read.
-template <class Choice, class T, const WordOf<T>& (*word)()>
-int choice(lua_State* L) {
+template <class T, const WordOf<T>& (*word)()>
+int packing(lua_State* L) {
     T said;
     read(L, word(), said);
-    push(L, Choice{std::move(said)});
+    push(L, PackingChoice{std::move(said)});
     return 1;
 }
 
@@ -172,20 +173,17 @@ void add_region(lua_State* L) {
 void add_values(lua_State* L) {
     add_region(L);
     define<PackingChoice>(L, nullptr);
-    define<BondChoice>(L, nullptr);
     define<Signal>(L, nullptr);
-    constexpr std::array<luaL_Reg, 13> functions{
+    constexpr std::array<luaL_Reg, 11> functions{
         {{"material", guarded<material>},
          {"rectangle", guarded<rectangle>},
          {"disc", guarded<disc>},
          {"polygon", guarded<polygon>},
          {"half_plane", guarded<half_plane>},
-         {"close_packed", guarded<choice<PackingChoice, ClosePacking, words::close_packed>>},
-         {"consolidated", guarded<choice<PackingChoice, Consolidation, words::consolidated>>},
-         {"relaxed", guarded<choice<PackingChoice, Relaxation, words::relaxed>>},
-         {"disks", guarded<choice<PackingChoice, ListedDisks, words::disks>>},
-         {"elastic", guarded<choice<BondChoice, ElasticBonds, words::elastic>>},
-         {"plateau", guarded<choice<BondChoice, PlateauBonds, words::plateau>>},
+         {"close_packed", guarded<packing<ClosePacking, words::close_packed>>},
+         {"consolidated", guarded<packing<Consolidation, words::consolidated>>},
+         {"relaxed", guarded<packing<Relaxation, words::relaxed>>},
+         {"disks", guarded<packing<ListedDisks, words::disks>>},
          {"ramp", guarded<ramp>},
          {nullptr, nullptr}}};
     luaL_setfuncs(L, functions.data(), 0);

@@ -175,7 +175,7 @@ TEST_CASE("an elastic pack pressed together by a quarter and let go keeps its en
 
 TEST_CASE("pulled apart, a pack of facets spends what its broken facets owe and leaves nothing unaccounted") {
     model::Scene scene = test::scene_of(solid(0.2));
-    scene.bodies.push_back(packed(300, 1, model::PlateauBonds{0.1, 0.02, true}));
+    scene.bodies.push_back(packed(300, 1, model::PlateauBonds{{0.1, 0.02}, true}));
     for (const auto& [side, vx] : {std::pair{model::Side::left, -0.02}, std::pair{model::Side::right, 0.02}}) {
         model::Motion motion;
         motion.selection = test::side_of(0, side);

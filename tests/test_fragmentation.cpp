@@ -20,7 +20,8 @@ model::Scene shot_beam(bool rigid, bool break_in_shear, model::Network network) 
     model::Material material = test::concrete();
     material.poissons_ratio = 0.2;
     material.contact_damping = 0.2;
-    model::Material steel{"steel", 200e9, 0.3, 7850.0, std::nullopt, std::nullopt, 1.0, 0.5, std::nullopt, 0.2, {}};
+    model::Material steel{"steel",      200e9, 0.3, 7850.0,       std::nullopt, std::nullopt,
+                          std::nullopt, 1.0,   0.5, std::nullopt, 0.2,          {}};
     model::Scene scene = test::scene_of(material);
     scene.materials.push_back(steel);
 
@@ -30,11 +31,11 @@ model::Scene shot_beam(bool rigid, bool break_in_shear, model::Network network) 
     model::Consolidation pack;
     pack.count = 1500;
     beam.packing = pack;
-    beam.bonds = model::PlateauBonds{0.1, 0.02, break_in_shear, network};
+    beam.bonds = model::PlateauBonds{{0.1, 0.02, network}, break_in_shear};
     scene.bodies.push_back(beam);
 
     const double R = packing::consolidated_radius(beam.region, pack);
-    model::Body shot = test::block("shot", {0.26, 0.2 + 0.1 * R}, {0.08, 0.1}, R, model::ElasticBonds{0.1, 0.02});
+    model::Body shot = test::block("shot", {0.26, 0.2 + 0.1 * R}, {0.08, 0.1}, R, model::ElasticBonds{{0.1, 0.02}});
     shot.material = 1;
     shot.velocity = {3.0, -60.0};
     shot.rigid = rigid;
@@ -141,7 +142,7 @@ TEST_CASE("a bond that breaks leaves a contact without a jump in force or energy
     model::Scene scene = test::scene_of(test::concrete());
     scene.step_fraction = 0.1;
     scene.bodies.push_back(
-        test::disks("pair", {{{0.0, 0.0}, R}, {{1.96 * R, 0.0}, R}}, model::PlateauBonds{0.1, 0.0, true}));
+        test::disks("pair", {{{0.0, 0.0}, R}, {{1.96 * R, 0.0}, R}}, model::PlateauBonds{{0.1, 0.0}, true}));
     model::Support held;
     held.selection = test::all_of(0);
     held.selection.where = [](Vec2 at) { return at.x < R; };

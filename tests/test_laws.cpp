@@ -26,8 +26,8 @@ constexpr double R = 5e-3;
 
 law::Plateau::Params plateau(bool break_in_shear = false) {
     const law::PlaneModuli plane = law::plane_moduli(E, nu, false);
-    return law::Plateau::derive(law::contact_stiffness(plane, 1.0), plane, 1.0, strength, toughness, 1.0,
-                                break_in_shear);
+    return law::Plateau::derive(
+        law::strength_caps(law::contact_stiffness(plane, 1.0), plane, 1.0, strength, toughness, 1.0), break_in_shear);
 }
 
 law::BondMotion<double> pulled(double stretch, double shear = 0.0) {
@@ -120,8 +120,8 @@ TEST_CASE("plateau caps shear both ways and breaks in shear only when asked to")
 TEST_CASE("a strain-rate factor multiplies strength and fracture energy") {
     const law::PlaneModuli plane = law::plane_moduli(E, nu, false);
     const law::ContactStiffness k = law::contact_stiffness(plane, 1.0);
-    const auto fast = law::Plateau::derive(k, plane, 1.0, strength, toughness, 3.0, false);
-    const auto same = law::Plateau::derive(k, plane, 1.0, 3.0 * strength, std::sqrt(3.0) * toughness, 1.0, false);
+    const auto fast = law::strength_caps(k, plane, 1.0, strength, toughness, 3.0);
+    const auto same = law::strength_caps(k, plane, 1.0, 3.0 * strength, std::sqrt(3.0) * toughness, 1.0);
     CHECK(fast.stretch_per_radius == Approx(same.stretch_per_radius).epsilon(1e-14));
     CHECK(fast.opening == Approx(same.opening).epsilon(1e-14));
 }

@@ -33,7 +33,7 @@ TEST_CASE("a step just below the exact limit is stable and one just above is not
     model::Scene scene = elastic_block(0.1);
     scene.time_step = model::StepRule::bound;
     scene.bodies[0].region = model::Region::rectangle({0.0, 0.0}, {8.5 * R, 8.0 * R});
-    scene.bodies[0].bonds = model::ElasticBonds{0.1, dashpots};
+    scene.bodies[0].bonds = model::ElasticBonds{{0.1, dashpots}};
     const state::State state = state::assemble(scene).state;
     if (mass_damped) scene.dampings.push_back({0.5, 2000.0, std::nullopt, std::nullopt, {}});
     const double exact = test::exact_limit(test::pencil_of(state));
@@ -65,7 +65,7 @@ TEST_CASE("one mode's damped limit is (2/w)(sqrt(1 + xi^2) - xi)", "[step]") {
     model::Material material = test::concrete();
     material.poissons_ratio = 1.0 / 3.0;
     model::Scene scene = test::scene_of(material);
-    scene.bodies.push_back(test::disks("pair", {{{0.0, 0.0}, R}, {{2.0 * R, 0.0}, R}}, model::ElasticBonds{0.1, xi}));
+    scene.bodies.push_back(test::disks("pair", {{{0.0, 0.0}, R}, {{2.0 * R, 0.0}, R}}, model::ElasticBonds{{0.1, xi}}));
     const state::State state = state::assemble(scene).state;
     const auto& p = std::get<state::BondSet<law::Elastic>>(state.bond_sets[0]).params;
     const double w = std::sqrt(2.0 * p.Kn * state.elements.inverse_mass[0]);

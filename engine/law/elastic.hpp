@@ -15,6 +15,7 @@ namespace demlua::law {
 struct Elastic {
     static constexpr const char* name = "elastic";
     static constexpr bool breaks = false;
+    static constexpr bool yields = false;
 
     struct Params {
         double Kn = 0.0; ///< N/m

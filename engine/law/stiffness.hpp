@@ -1,9 +1,10 @@
-// Contact stiffness from Young's modulus and Poisson's ratio.
+// Contact stiffness from Young's modulus and Poisson's ratio; fracture energy and toughness.
 //
 //   E* = E,          nu* = nu              plane stress      Tavarez & Plesha 2007, eq. 13, 14
 //   E* = E/(1-nu^2), nu* = nu/(1-nu)       plane strain
 //   Kn = E* t / (sqrt(3) (1 - nu*))                          eq. 15
 //   Kt = Kn (1 - 3 nu*) / (1 + nu*)                          eq. 16
+//   G = K_Ic^2 / E*                                          eq. 31
 //
 // E Young's modulus, nu Poisson's ratio, t thickness, Kn and Kt normal and shear stiffness of one contact.
 // Exact for a close-packed assembly of equal elements of any radius. Limit: nu* <= 1/3, for beyond it Kt is negative
@@ -32,6 +33,14 @@ constexpr PlaneModuli solid_moduli(PlaneModuli plane, bool plane_strain) {
     const double nu = plane.poissons_ratio / (1.0 + plane.poissons_ratio);
     return {plane.youngs_modulus * (1.0 - nu * nu), nu};
 }
+
+/// J/m^2, of a toughness in Pa m^0.5. Source: eq. 31.
+constexpr double fracture_energy(double toughness, PlaneModuli plane) {
+    return toughness * toughness / plane.youngs_modulus;
+}
+
+/// The reverse: Pa m^0.5, of a fracture energy in J/m^2.
+inline double fracture_toughness(double energy, PlaneModuli plane) { return std::sqrt(energy * plane.youngs_modulus); }
 
 /// N/m.
 struct ContactStiffness {

@@ -1,5 +1,6 @@
 #include "engine/model/check.hpp"
 
+#include "engine/model/check_fracture.hpp"
 #include "engine/model/setting.hpp"
 
 #include <algorithm>
@@ -67,18 +68,6 @@ void check_poissons_ratio(const Scene& scene, std::size_t row, Findings& finding
         findings.add(material.place, "material.poissons_ratio", text_of(material.poissons_ratio),
                      R"(must not be negative with stiffness = "facets")");
     }
-}
-
-void check_bonds(const Body& body, const Scene& scene, Findings& findings) {
-    if (!std::holds_alternative<PlateauBonds>(body.bonds) || body.material >= scene.materials.size()) return;
-    const Material& material = scene.materials[body.material];
-    const auto need = [&](bool given, const char* setting) {
-        if (given) return;
-        findings.add(body.place, "body.bonds", "dem.plateau",
-                     "needs " + std::string(setting) + " in material " + quoted(material.name));
-    };
-    need(material.tensile_strength.has_value(), "tensile_strength");
-    need(material.fracture_toughness.has_value(), "fracture_toughness");
 }
 
 /// A disk of this radius cannot lie inside a box narrower than its diameter, whatever the region in it.
@@ -307,7 +296,6 @@ std::vector<Problem> check(const Scene& scene, const std::vector<std::string>& m
     }
     for (const Body& body : scene.bodies) {
         check_packing(body, findings);
-        check_bonds(body, scene, findings);
         check_network(body, findings);
     }
     for (const Support& support : scene.supports) check_selection(support.selection, "fix", support.place, findings);
@@ -315,9 +303,7 @@ std::vector<Problem> check(const Scene& scene, const std::vector<std::string>& m
     for (const Force& force : scene.forces) check_force(force, findings);
     for (const Traction& traction : scene.tractions) check_traction(traction, findings);
     for (const Wall& wall : scene.walls) check_wall(wall, findings);
-    for (const Notch& notch : scene.notches) {
-        if (notch.from == notch.to) findings.add(notch.place, "notch.to", "", "must differ from notch.from");
-    }
+    for (Problem& problem : fracture_problems(scene)) findings.problems.push_back(std::move(problem));
     for (const Damping& damping : scene.dampings) check_damping(damping, findings);
     for (const Probe& probe : scene.probes) check_probe(probe, measurable, findings);
     check_names(scene.bodies, "body", findings);

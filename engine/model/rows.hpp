@@ -43,15 +43,22 @@ using OwnerOf = typename MemberOf<decltype(member)>::Owner;
 template <auto member>
 using TypeOf = typename MemberOf<decltype(member)>::Type;
 
-template <auto member>
+/// In a T, which may have inherited the member.
+template <auto member, class T = OwnerOf<member>>
 TypeOf<member>* address(void* object) {
-    return &(static_cast<OwnerOf<member>*>(object)->*member);
+    return &(static_cast<T*>(object)->*member);
+}
+
+/// A number of a T.
+template <class T, auto member>
+Row<T> row_of(std::string name, std::string unit, Need need, Range range, std::string meaning) {
+    return {{std::move(name), [](void* object) -> Slot { return address<member, T>(object); }, std::move(unit), need,
+             range, std::move(meaning), by_name_only}};
 }
 
 template <auto member>
 Row<OwnerOf<member>> row(std::string name, std::string unit, Need need, Range range, std::string meaning) {
-    return {{std::move(name), [](void* object) -> Slot { return address<member>(object); }, std::move(unit), need,
-             range, std::move(meaning), by_name_only}};
+    return row_of<OwnerOf<member>, member>(std::move(name), std::move(unit), need, range, std::move(meaning));
 }
 
 /// A value that is no number, or whose type does not say what it is and needs the slot `As`.
@@ -76,14 +83,14 @@ Row<OwnerOf<x>> pair(std::string name, std::string unit, std::string meaning) {
              std::move(unit), optional, any, std::move(meaning), by_name_only}};
 }
 
-/// One of `names`, in the order of the enumeration (or false, true).
-template <auto member, const Names& (*names)()>
-Row<OwnerOf<member>> choice(std::string name, std::string meaning) {
+/// One of `names`, in the order of the enumeration (or false, true), of a T.
+template <class T, auto member, const Names& (*names)()>
+Row<T> choice_of(std::string name, std::string meaning) {
     using Type = TypeOf<member>;
     return {{std::move(name),
              [](void* object) -> Slot {
                  return ChoiceSlot{
-                     address<member>(object), &names(),
+                     address<member, T>(object), &names(),
                      [](const void* value) { return static_cast<std::size_t>(*static_cast<const Type*>(value)); },
                      [](void* value, std::size_t n) { *static_cast<Type*>(value) = static_cast<Type>(n); }};
              },
@@ -92,6 +99,11 @@ Row<OwnerOf<member>> choice(std::string name, std::string meaning) {
              any,
              std::move(meaning),
              by_name_only}};
+}
+
+template <auto member, const Names& (*names)()>
+Row<OwnerOf<member>> choice(std::string name, std::string meaning) {
+    return choice_of<OwnerOf<member>, member, names>(std::move(name), std::move(meaning));
 }
 
 /// The default of a setting is what stands in its slot of a fresh struct, unless its own range forbids it: such a value

@@ -28,6 +28,7 @@ struct Material {
     double density = 0.0;                   ///< kg/m^3
     std::optional<double> tensile_strength; ///< Pa
     std::optional<double> fracture_toughness; ///< Pa m^0.5
+    std::optional<double> fracture_energy;    ///< J/m^2, says the same as the toughness
     double rate_factor = 1.0;                 ///< constant factor on tensile strength and on fracture energy
     double friction = 0.0;                    ///< Coulomb coefficient
     std::optional<double> restitution;        ///< of a head-on impact, (0, 1]
@@ -45,20 +46,36 @@ enum class Network {
     delaunay,  ///< all neighbouring cells, eqs 15, 16
     contacts   ///< elements that touch, eqs 15, 16, on a pack they were not made for
 };
-/// Bonds that never break.
-struct ElasticBonds {
+/// What is said of bonds under any law.
+struct BondSettings {
     double search = 0.1;  ///< elements touch when the gap between them is below this share of the mean radius
     double damping = 0.0; ///< dashpots beside the springs, as a fraction of critical of one bond
     Network network = Network::automatic;
 };
-/// Tavarez & Plesha 2007, eqs 32-36.
-struct PlateauBonds {
-    double search = 0.1;
-    double damping = 0.0;
-    bool break_in_shear = false; ///< also break when the plastic slip has spent the fracture energy (fig. 14b)
-    Network network = Network::automatic;
+// The laws of engine/law by the same names; `needs_...` is what they take from the material.
+struct ElasticBonds : BondSettings {
+    static constexpr bool needs_strength = false;
+    static constexpr bool needs_toughness = false;
 };
-using BondChoice = std::variant<NoBonds, ElasticBonds, PlateauBonds>;
+struct PlateauBonds : BondSettings {
+    static constexpr bool needs_strength = true;
+    static constexpr bool needs_toughness = true;
+    bool break_in_shear = false; ///< also break when the plastic slip has spent the fracture energy (fig. 14b)
+};
+struct SofteningBonds : BondSettings {
+    static constexpr bool needs_strength = true;
+    static constexpr bool needs_toughness = true;
+};
+struct BrittleTensileBonds : BondSettings {
+    static constexpr bool needs_strength = true;
+    static constexpr bool needs_toughness = false;
+};
+struct BrittleToughnessBonds : BondSettings {
+    static constexpr bool needs_strength = false;
+    static constexpr bool needs_toughness = true;
+};
+using BondChoice =
+    std::variant<NoBonds, ElasticBonds, PlateauBonds, SofteningBonds, BrittleTensileBonds, BrittleToughnessBonds>;
 
 struct Body {
     std::string name;

@@ -94,6 +94,9 @@ const WordOf<ListedDisks>& disks();
 const WordOf<DiskSaid>& disk();
 const WordOf<ElasticBonds>& elastic();
 const WordOf<PlateauBonds>& plateau();
+const WordOf<SofteningBonds>& softening();
+const WordOf<BrittleTensileBonds>& brittle_tensile();
+const WordOf<BrittleToughnessBonds>& brittle_toughness();
 const WordOf<Body>& body();
 const WordOf<ShiftSaid>& set_velocity();
 

@@ -1,4 +1,4 @@
-// Rows of what a scene is made of: the simulation, materials, regions, packings, bonds, bodies.
+// Rows of what a scene is made of: the simulation, materials, regions, packings, bodies.
 #include "engine/model/rows.hpp"
 #include "engine/model/settings.hpp"
 
@@ -29,13 +29,6 @@ const Names& step_rule_names() {
 }
 const Names& row_names() {
     static const Names names{"horizontal", "vertical"};
-    return names;
-}
-constexpr const char* network_meaning =
-    R"("facets": every two neighbouring cells, elastically exact on any pack; "unit cell": elements that touch, eqs 15-16, exact for close packing; "delaunay": all neighbouring cells, eqs 15-16; "contacts": elements that touch, eqs 15-16, softer than said on an irregular pack; "automatic": unit cell for close packing, facets for packs that fill a region, contacts for listed disks)";
-
-const Names& network_names() {
-    static const Names names{"automatic", "facets", "unit cell", "delaunay", "contacts"};
     return names;
 }
 const Names& fit_names() {
@@ -79,7 +72,9 @@ const WordOf<Material>& material() {
             row<&Material::tensile_strength>("tensile_strength", "Pa", optional, positive,
                                              "needed by bonds that break"),
             row<&Material::fracture_toughness>("fracture_toughness", "Pa m^0.5", optional, positive,
-                                               "K_Ic, needed by bonds that break"),
+                                               "K_Ic, needed by bonds that break; this or fracture_energy"),
+            row<&Material::fracture_energy>("fracture_energy", "J/m^2", optional, positive,
+                                            "G_f = K_Ic^2/E*, E* = E in plane stress and E/(1-nu^2) in plane strain"),
             row<&Material::rate_factor>("rate_factor", "", optional, positive,
                                         "constant strain-rate factor on tensile strength and fracture energy"),
             row<&Material::friction>("friction", "", optional, non_negative,
@@ -217,39 +212,6 @@ const WordOf<ListedDisks>& disks() {
         word<ListedDisks>("dem.disks", "Elements put down one by one; a body packed so needs no region.", "a packing",
                           "dem.disks { { 0, 0, 0.01 }, { x = 0.02, y = 0, radius = 0.01 } }",
                           {row<&ListedDisks::disks>("list", "m", required, any, "the disks").at(whole_list)});
-    return made;
-}
-
-const WordOf<ElasticBonds>& elastic() {
-    static const WordOf<ElasticBonds> made = word<ElasticBonds>(
-        "dem.elastic", "Bonds that never break.", "a bond law", "dem.elastic { damping = 0.02 }",
-        {
-            choice<&ElasticBonds::network, network_names>("stiffness", network_meaning),
-            row<&ElasticBonds::search>(
-                "search", "", optional, non_negative,
-                "elements that touch are bonded across gaps below this share of their mean radius"),
-            row<&ElasticBonds::damping>("damping", "", optional, non_negative,
-                                        "dashpots beside the springs, fraction of critical of one bond"),
-        });
-    return made;
-}
-
-const WordOf<PlateauBonds>& plateau() {
-    static const WordOf<PlateauBonds> made = word<PlateauBonds>(
-        "dem.plateau",
-        "Bonds that yield at the tensile strength and break when the fracture energy is spent (Tavarez & Plesha "
-        "2007, eqs 32-36).",
-        "a bond law", "dem.plateau { search = 0.1, damping = 0.02 }",
-        {
-            choice<&PlateauBonds::network, network_names>("stiffness", network_meaning),
-            row<&PlateauBonds::search>(
-                "search", "", optional, non_negative,
-                "elements that touch are bonded across gaps below this share of their mean radius"),
-            row<&PlateauBonds::damping>("damping", "", optional, non_negative,
-                                        "dashpots beside the springs, fraction of critical of one bond"),
-            row<&PlateauBonds::break_in_shear>("break_in_shear", optional,
-                                               "also break when plastic slip has spent the fracture energy"),
-        });
     return made;
 }
 

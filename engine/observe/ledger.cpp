@@ -60,7 +60,7 @@ template <class Bonds>
 void add_bonds(const state::State& state, const Bonds& bonds, Ledger& ledger) {
     for (std::size_t k = 0; k < bonds.size(); ++k) {
         if (!bonds.is_broken(k)) ledger.bonds += step::stored_energy(bonds, state.elements, k);
-        if constexpr (Bonds::law::breaks) ledger.plastic += bonds.history.at(k).work;
+        if constexpr (Bonds::law::yields) ledger.plastic += bonds.history.at(k).work;
     }
     ledger.bonds += energy_of_cells(bonds);
     for (const double spent : bonds.dashpots.spent) ledger.bond_damping += spent;

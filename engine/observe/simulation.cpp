@@ -184,8 +184,9 @@ void Simulation::take_in(const model::Scene& scene) {
 
 void Simulation::take_in(const model::Notch& notch) {
     if (state::cut(*state_, notch.body, notch.from, notch.to) == 0) {
-        throw SceneError(Problem{notch.place, "notch", "", "cuts no bond that could break",
-                                 "does it cross the body, and do its bonds break?"});
+        throw SceneError(
+            Problem{notch.place, "notch", "", "cuts no bond of body \"" + state_->bodies.at(notch.body).name + '"',
+                    "it must cross a line between two bonded centres, whose bond can break and still holds"});
     }
     inside_->stepper.search.travelled = std::numeric_limits<double>::infinity();
     inside_->step_outdated = true;

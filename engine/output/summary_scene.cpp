@@ -1,8 +1,11 @@
 #include "engine/output/summary.hpp"
 
+#include "engine/model/derived_law.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <optional>
+#include <type_traits>
 
 namespace demlua::output {
 
@@ -24,6 +27,7 @@ Json material_json(const model::Material& material) {
               {"density", material.density}};
     put(json, "tensile_strength", material.tensile_strength);
     put(json, "fracture_toughness", material.fracture_toughness);
+    put(json, "fracture_energy", material.fracture_energy);
     json["rate_factor"] = material.rate_factor;
     json["friction"] = material.friction;
     put(json, "restitution", material.restitution);
@@ -67,15 +71,11 @@ Json packing_json(const model::ListedDisks& packing) { return {{"kind", "disks"}
 
 Json bonds_json(const model::NoBonds& /*none*/) { return {{"law", "none"}}; }
 
-Json bonds_json(const model::ElasticBonds& bonds) {
-    return {{"law", "elastic"}, {"search", bonds.search}, {"damping", bonds.damping}};
-}
-
-Json bonds_json(const model::PlateauBonds& bonds) {
-    return {{"law", "plateau"},
-            {"search", bonds.search},
-            {"damping", bonds.damping},
-            {"break_in_shear", bonds.break_in_shear}};
+template <class Choice>
+Json bonds_json(const Choice& bonds) {
+    Json json{{"law", model::LawOf<Choice>::name}, {"search", bonds.search}, {"damping", bonds.damping}};
+    if constexpr (std::is_same_v<Choice, model::PlateauBonds>) json["break_in_shear"] = bonds.break_in_shear;
+    return json;
 }
 
 Json body_json(const model::Body& body, const model::Scene& scene, std::size_t count) {

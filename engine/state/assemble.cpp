@@ -2,6 +2,7 @@
 
 #include "engine/base/cell_grid.hpp"
 #include "engine/law/restitution.hpp"
+#include "engine/model/check_fracture.hpp"
 #include "engine/packing/packing.hpp"
 #include "engine/state/bond_assembly.hpp"
 #include "engine/state/parts.hpp"
@@ -225,6 +226,16 @@ std::string describe(const State& state, std::size_t body, std::optional<model::
         *bonds);
 }
 
+/// Mean radius of the elements of a body's largest bond, or its length where facets hold the body, m.
+double largest_bond(const AnyBondSet& any, model::Network network) {
+    return std::visit(
+        [&](const auto& bonds) {
+            const Column<double>& size = network == model::Network::facets ? bonds.length : bonds.radius;
+            return *std::max_element(size.begin(), size.end());
+        },
+        any);
+}
+
 } // namespace
 
 PairRule pair_rule(const MaterialFacts& a, const MaterialFacts& b) {
@@ -274,9 +285,14 @@ Assembly assemble(const model::Scene& scene, const packing::PackStore* packs) {
             const BondedBody body{row, *network, cells[row] ? &*cells[row] : nullptr};
             bonds = bond_body(state, body, said.bonds, scene.materials[said.material], scene.plane);
         }
+        if (bonds) {
+            const double size = largest_bond(*bonds, *network);
+            if (auto problem = model::unresolved_bonds(scene, said, *network, size)) problems.push_back(*problem);
+        }
         assembly.notes.push_back(describe(state, row, network, bonds ? &*bonds : nullptr));
         if (bonds) state.bond_sets.push_back(std::move(*bonds));
     }
+    if (!problems.empty()) throw SceneError(std::move(problems));
     for (std::string& note : separate_parts(state)) assembly.notes.push_back(std::move(note));
     lay_out_walls(scene, state);
     return assembly;

@@ -1,6 +1,7 @@
 #include "engine/state/bond_assembly.hpp"
 
 #include "engine/bonding/bonding.hpp"
+#include "engine/model/derived_law.hpp"
 #include "engine/state/facet_assembly.hpp"
 #include "engine/state/incidence.hpp"
 
@@ -125,30 +126,9 @@ BondSet<Law> pairs_of(const State& state, const BondedBody& said, double damping
     return bonds;
 }
 
-/// What a choice of bonds means for a material: the law's parameters either way.
-template <class Law>
-struct Derived {
-    typename Law::Params params;
-    typename Law::Tractions tractions;
-};
-
-Derived<law::Elastic> derived(const model::ElasticBonds& /*said*/, const model::Material& /*material*/,
-                              law::PlaneModuli /*moduli*/, law::ContactStiffness k, double /*thickness*/) {
-    return {law::Elastic::derive(k), {}};
-}
-
-Derived<law::Plateau> derived(const model::PlateauBonds& said, const model::Material& material, law::PlaneModuli moduli,
-                              law::ContactStiffness k, double thickness) {
-    const double strength = material.tensile_strength.value();
-    const double toughness = material.fracture_toughness.value();
-    return {law::Plateau::derive(k, moduli, thickness, strength, toughness, material.rate_factor, said.break_in_shear),
-            law::Plateau::derive_tractions(moduli, thickness, strength, toughness, material.rate_factor,
-                                           said.break_in_shear)};
-}
-
 template <class Choice, class Law>
 AnyBondSet bonds_of(const State& state, const BondedBody& said, const Choice& choice, law::PlaneModuli moduli,
-                    const Derived<Law>& law) {
+                    const model::DerivedLaw<Law>& law) {
     if (said.network == model::Network::facets) {
         return facets_of<Law>(state, said, choice.damping, law::facet_moduli(moduli), law.tractions);
     }
@@ -162,16 +142,13 @@ AnyBondSet bonds_of(const State& state, const BondedBody& said, const Choice& ch
 
 std::optional<AnyBondSet> bond_body(const State& state, const BondedBody& said, const model::BondChoice& choice,
                                     const model::Material& material, model::Plane plane) {
-    const law::PlaneModuli moduli =
-        law::plane_moduli(material.youngs_modulus, material.poissons_ratio, plane == model::Plane::strain);
-    const law::ContactStiffness k = law::contact_stiffness(moduli, state.thickness);
+    const model::Matter matter = model::matter_of(material, plane, state.thickness);
     return std::visit(
         [&](const auto& bonds) -> std::optional<AnyBondSet> {
             if constexpr (std::is_same_v<std::decay_t<decltype(bonds)>, model::NoBonds>) {
                 return std::nullopt;
             } else {
-                AnyBondSet set =
-                    bonds_of(state, said, bonds, moduli, derived(bonds, material, moduli, k, state.thickness));
+                AnyBondSet set = bonds_of(state, said, bonds, matter.moduli, derived(bonds, matter));
                 const bool empty = std::visit([](const auto& made) { return made.size() == 0; }, set);
                 return empty ? std::nullopt : std::optional<AnyBondSet>(std::move(set));
             }

@@ -47,7 +47,7 @@ void settle_broken(state::State& state, Bonds& bonds, const std::vector<Index>& 
             const law::BondForce<double> rate = rates_of(bonds, elements, k, motion);
             const double touch = elements.radius[i] + elements.radius[j];
             const double length = bonds.length[k] + motion.stretch;
-            const double unstressed = length - force.normal / contact.Kn;
+            const double unstressed = bonds.length[k] + (motion.stretch - force.normal / contact.Kn);
             const double reference = length > unstressed ? std::min(unstressed, touch) : unstressed;
             const double overlap = reference - length;
 

@@ -17,7 +17,7 @@ DEMLUA_INLINE law::FacetVector<double> strained(const state::FacetSet<Law>& bond
     const law::BondMotion<double>& motion = bonds.motion[k];
     law::FacetVector<double> q{motion.stretch, motion.shear,
                                elements.rotation[bonds.j[k]] - elements.rotation[bonds.i[k]]};
-    if constexpr (Law::breaks) {
+    if constexpr (Law::yields) {
         const auto history = bonds.history.at(k);
         q.normal -= history.stretch;
         q.shear -= history.shear;
@@ -54,7 +54,7 @@ inline double cell_energy(double pressure, double pressure_per_growth) {
 
 template <class Law>
 typename Law::Params params_of(const state::FacetSet<Law>& bonds, std::size_t k) {
-    return Law::on_facet(bonds.tractions, bonds.yielding[k], bonds.area[k]);
+    return Law::on_facet(bonds.tractions, bonds.yielding[k], bonds.area[k], bonds.radius[k]);
 }
 
 template <class Law>
@@ -135,14 +135,21 @@ void facet_forces(state::FacetSet<Law>& bonds, const state::Elements& elements, 
             const auto before = bonds.history.at(k);
             auto history = before;
             law::BondMotion<double> motion;
-            motion.stretch = before.stretch + force.normal / spring.normal;
-            motion.shear = before.shear + force.shear / spring.shear;
+            motion.stretch = force.normal / spring.normal;
+            motion.shear = force.shear / spring.shear;
+            if constexpr (Law::yields) {
+                motion.stretch += before.stretch;
+                motion.shear += before.shear;
+            }
             const typename Law::Params params = params_of(bonds, k);
             Law::respond(params, 1.0, motion, history);
             const bool breaks = Law::broken(params, 1.0, motion, history);
             if (!breaks && !Law::has_yielded(before, history)) continue;
-            history.work = before.work;
-            const law::BondForce<double> moved{history.stretch - before.stretch, history.shear - before.shear};
+            law::BondForce<double> moved{0.0, 0.0};
+            if constexpr (Law::yields) {
+                history.work = before.work;
+                moved = {history.stretch - before.stretch, history.shear - before.shear};
+            }
             failing.push_back({static_cast<Index>(k), breaks, borne, moved, history});
         } else {
             put_force(bonds, k, force);
@@ -187,12 +194,14 @@ std::vector<Index> settle_yielding(state::FacetSet<Law>& bonds, const state::Ele
         yielded.push_back(failing.bond);
         if (failing.breaks) breaking.push_back(failing.bond);
     }
-    refresh_around(bonds, elements, yielded);
-    for (Failing<Law>& failing : all) {
-        const std::size_t k = failing.bond;
-        failing.history.work += 0.5 * ((failing.borne.normal + bonds.normal[k]) * failing.moved.normal +
-                                       (failing.borne.shear + bonds.shear[k]) * failing.moved.shear);
-        bonds.history.store(k, failing.history);
+    if constexpr (Law::yields) {
+        refresh_around(bonds, elements, yielded);
+        for (Failing<Law>& failing : all) {
+            const std::size_t k = failing.bond;
+            failing.history.work += 0.5 * ((failing.borne.normal + bonds.normal[k]) * failing.moved.normal +
+                                           (failing.borne.shear + bonds.shear[k]) * failing.moved.shear);
+            bonds.history.store(k, failing.history);
+        }
     }
     return breaking;
 }

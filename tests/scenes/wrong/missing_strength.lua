@@ -6,4 +6,4 @@ sim:body {
   packing = dem.close_packed { radius = 0.1 }, bonds = dem.plateau {},
 }
 -->:4: body.bonds = dem.plateau: needs tensile_strength in material "concrete"
--->:4: body.bonds = dem.plateau: needs fracture_toughness in material "concrete"
+-->:4: body.bonds = dem.plateau: needs fracture_toughness or fracture_energy in material "concrete"
