@@ -45,7 +45,8 @@ TEST_CASE("the plate of fig. 15 has the paper's elements, its crack crosses two 
         REQUIRE(state.loads.size() == 2);
         for (const state::Load& load : state.loads) {
             REQUIRE(load.share.size() == level.in_end_row);
-            CHECK(borne(load) == Approx(0.25).epsilon(1e-12));
+            // The ends of a side are found to 1e-10 of a radius.
+            CHECK(borne(load) == Approx(0.25).epsilon(1e-10));
             CHECK(load.share.front() == Approx(level.R).epsilon(1e-9));
             CHECK(load.share[1] == Approx(2.0 * level.R).epsilon(1e-9));
             CHECK(load.share.back() == Approx(level.R).epsilon(1e-9));
@@ -81,5 +82,5 @@ TEST_CASE("the plate refuses what it is not made for", "[edge crack]") {
     CHECK_THAT(told({{"law", "no such law"}}), ContainsSubstring("no such law"));
     CHECK_THAT(told({{"read_out", "second bond"}}), ContainsSubstring("\"half ligament\""));
     CHECK_THAT(told({{"head_start", "3.6e6"}}), ContainsSubstring("below stress"));
-    CHECK_THAT(told({{"plane", "strain"}}), ContainsSubstring("0.25"));
+    CHECK_THAT(told({{"plane", "strain"}}), ContainsSubstring("at most 1/4 in plane strain"));
 }
