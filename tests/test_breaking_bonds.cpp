@@ -1,12 +1,13 @@
 // Bonds that break in a simulation: where, at what cost, and what they leave behind.
-#include "engine/state/state.hpp"
 #include "tests/catch.hpp"
 #include "tests/scenes.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
-#include <string>
+#include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 

@@ -145,8 +145,8 @@ std::optional<Problem> unresolved_bonds(const Scene& scene, const Body& body, Ne
     });
     if (!(size > largest)) return std::nullopt;
     return Problem{body.place, "body.bonds", law_name(body),
-                   fmt::format("cannot be resolved by {} {:.6g} m: bonds would break before they yield (delta_max < "
-                               "delta_crit)",
+                   fmt::format("cannot be resolved by {} {:.6g} m: bonds would store more than their fracture energy "
+                               "before they yield (delta_max < delta_crit)",
                                facets ? "elements that stand apart by" : "elements of radius", size),
                    fmt::format("the largest {} is {:.6g} m", facets ? "distance" : "radius", largest)};
 }

@@ -51,7 +51,7 @@ Kind kind(const Spacing* /*v*/) {
 Kind kind(const PackingChoice* /*v*/) {
     return {"a packing: dem.close_packed, dem.consolidated, dem.relaxed or dem.disks", "dem.packing"};
 }
-Kind kind(const BondChoice* /*v*/) { return {"a bond law, such as dem.plateau { }", "dem.bonds"}; }
+Kind kind(const BondChoice* /*v*/) { return {"a bond law, such as dem.plateau {}", "dem.bonds"}; }
 Kind kind(const Selection* /*v*/) {
     return {"a body, a side of a body, a region, a function of place, or a table of these such as "
             "{ beam, within = region }",

@@ -27,10 +27,19 @@ double let_go(const state::BondSet<Law>& bonds, const state::Elements& elements,
     return stored_energy(bonds, elements, k);
 }
 
+/// Takes back what the dashpots of bond `k` booked for the end of the step, where they no longer act.
+template <class Law>
+void let_go_of_dashpots(state::BondTable<Law>& bonds, std::size_t k, law::BondForce<double> rate, double dt) {
+    state::BondDashpots& dashpots = bonds.dashpots;
+    if (!dashpots.present()) return;
+    dashpots.spent[k] -= 0.5 * dt * (dashpots.normal[k] * rate.normal + dashpots.shear[k] * rate.shear);
+    dashpots.normal[k] = dashpots.shear[k] = 0.0;
+}
+
 /// Takes the bonds named in `breaking` (rows, rising) out of the set: no force from this instant on, energies booked,
 /// and a contact in each one's place. Its reference length is that at which the contact carries on with the bond's normal
-/// force (which is the bond's unstressed length where both are as stiff), no longer than the sum of the radii if the bond
-/// broke in tension: falling back to the radii would release the pack's overlap as energy.
+/// force (which is the bond's unstressed length where both are as stiff), no longer than the sum of the radii unless the bond
+/// broke under pressure: falling back to the radii would release the pack's overlap as energy.
 template <class Bonds>
 void settle_broken(state::State& state, Bonds& bonds, const std::vector<Index>& breaking,
                    std::vector<NewContact>& contacts) {
@@ -48,7 +57,7 @@ void settle_broken(state::State& state, Bonds& bonds, const std::vector<Index>& 
             const double touch = elements.radius[i] + elements.radius[j];
             const double length = bonds.length[k] + motion.stretch;
             const double unstressed = bonds.length[k] + (motion.stretch - force.normal / contact.Kn);
-            const double reference = length > unstressed ? std::min(unstressed, touch) : unstressed;
+            const double reference = force.normal < 0.0 ? unstressed : std::min(unstressed, touch);
             const double overlap = reference - length;
 
             NewContact left{static_cast<Index>(i), static_cast<Index>(j), reference,
@@ -61,6 +70,7 @@ void settle_broken(state::State& state, Bonds& bonds, const std::vector<Index>& 
                 0.5 * state.dt * ((force.normal - kept.normal) * rate.normal + (force.shear - kept.shear) * rate.shear);
             bonds.fracture_work +=
                 let_go(bonds, elements, k) - law::Coulomb::stored_energy(contact, overlap, settled) - moved_by_less;
+            let_go_of_dashpots(bonds, k, rate, state.dt);
             bonds.broken[k] = 1;
             ++bonds.broken_count;
             bonds.contact_length[k] = reference;

@@ -5,4 +5,4 @@ sim:body { name = "beam", material = "concrete", region = { 1, 1 }, packing = de
 -->:4: body.material = "concrete": must be a material made with dem.material
 -->:4: body.region = { 1, 1 }: must be a region, such as dem.rectangle { ... }
 -->:4: body.packing = a function: must be a packing: dem.close_packed, dem.consolidated, dem.relaxed or dem.disks
--->:4: body.bonds = a function: must be a bond law: dem.elastic or dem.plateau
+-->:4: body.bonds = a function: must be a bond law, such as dem.plateau {}
