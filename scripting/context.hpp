@@ -81,6 +81,7 @@ struct Context {
     std::vector<SharedInterval> outputs;
     std::vector<History> histories;
     std::vector<Periodic> periodics;
+    std::vector<Function> on_bond_break;
     std::vector<Function> functions; ///< what model::Callback::key counts from one
     std::optional<StudyDeclaration> study;
     StudyFunctions study_functions;

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <map>
 
 namespace demlua::scripting {
@@ -63,8 +64,8 @@ template <class Source>
 std::string fields(const std::vector<Reading<Source>>& readings) {
     std::string text;
     for (const auto& reading : readings) {
-        const bool vector = std::holds_alternative<Vec2 (*)(const Source&)>(reading.get);
-        text += fmt::format("---@field {} {} {}\n", reading.name, vector ? "dem.vector" : "number", reading.meaning);
+        constexpr std::array kinds{"number", "dem.vector", "string"}; // as the alternatives of Reading::get
+        text += fmt::format("---@field {} {} {}\n", reading.name, kinds.at(reading.get.index()), reading.meaning);
     }
     return text;
 }
@@ -172,6 +173,7 @@ std::string words_as_editor_stub() {
     text += "---@class dem.body_motion\n" + fields(body_readings()) + "\n";
     text += "---@class dem.ledger\n" + fields(ledger_readings()) + "\n";
     text += "---@class dem.momentum\n" + fields(momentum_readings()) + "\n";
+    text += "---@class dem.bond_break\n" + fields(break_readings()) + "\n";
     text += "---@class dem.body: dem.body_motion\n---@field name string\n---@field radius number\n";
     for (const char* side : {"left", "right", "bottom", "top"}) text += fmt::format("---@field {} dem.side\n", side);
     text += "local body = {}\n";

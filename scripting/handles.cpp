@@ -167,11 +167,23 @@ int load_set(lua_State* L) {
     return 0;
 }
 
+/// `set`, or a signal's setting, which reads as the value it has at this instant.
 int load_index(lua_State* L) {
     const std::string key = asked_key(L);
-    if (key != "set") unknown_field("a load", key, {"set"});
-    lua_pushcfunction(L, guarded<load_set>);
-    return 1;
+    if (key == "set") {
+        lua_pushcfunction(L, guarded<load_set>);
+        return 1;
+    }
+    Context& context = Context::of(L);
+    std::vector<std::string> known{"set"};
+    for (const PresentValue& present : present_values(context, *test<LoadHandle>(L, 1))) {
+        known.push_back(present.setting);
+        if (present.setting != key) continue;
+        context.require_run();
+        present.value ? lua_pushnumber(L, *present.value) : lua_pushnil(L);
+        return 1;
+    }
+    unknown_field("a load", key, known);
 }
 
 int wall_move(lua_State* L) {

@@ -1,6 +1,7 @@
 // Shared answers of handles and of `now`.
 #pragma once
 
+#include "engine/observe/bond_breaks.hpp"
 #include "scripting/context.hpp"
 
 #include <cstddef>
@@ -17,6 +18,9 @@ std::string asked_key(lua_State* L);
 void push_body_motion(lua_State* L, std::size_t body);
 bool push_body_field(lua_State* L, std::size_t body, const std::string& field);
 std::vector<std::string> body_field_names();
+
+/// What a function of sim:on_bond_break is told, as a strict table.
+void push_bond_break(lua_State* L, const observe::BondBreak& event);
 
 /// { x, y } of the force on a wall.
 void push_wall_force(lua_State* L, std::size_t wall);

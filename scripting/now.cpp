@@ -29,8 +29,11 @@ void push_reading(lua_State* L, const Reading<Source>& reading, const Source& so
         } else {
             lua_pushnumber(L, value);
         }
+    } else if (const auto* vector = std::get_if<1>(&reading.get)) {
+        push_vector(L, (*vector)(source));
     } else {
-        push_vector(L, std::get<1>(reading.get)(source));
+        const std::string text = std::get<2>(reading.get)(source);
+        lua_pushlstring(L, text.data(), text.size());
     }
 }
 
@@ -201,6 +204,10 @@ bool push_body_field(lua_State* L, std::size_t body, const std::string& field) {
         return true;
     }
     return false;
+}
+
+void push_bond_break(lua_State* L, const observe::BondBreak& event) {
+    push_all(L, break_readings(), event, "reading of an event");
 }
 
 std::vector<std::string> body_field_names() { return names_of(body_readings()); }

@@ -3,6 +3,7 @@
 namespace demlua::scripting {
 
 using observe::BodyMotion;
+using observe::BondBreak;
 using observe::Ledger;
 using observe::Momentum;
 using observe::Simulation;
@@ -74,6 +75,18 @@ const std::vector<Reading<BodyMotion>>& body_readings() {
         {"highest", "m", "y of its highest point", [](const BodyMotion& m) { return m.extent.upper.y; }},
         {"leftmost", "m", "x of its leftmost point", [](const BodyMotion& m) { return m.extent.lower.x; }},
         {"rightmost", "m", "x of its rightmost point", [](const BodyMotion& m) { return m.extent.upper.x; }},
+    };
+    return rows;
+}
+
+const std::vector<Reading<BondBreak>>& break_readings() {
+    static const std::vector<Reading<BondBreak>> rows{
+        {"time", "s", "when the bond broke", [](const BondBreak& b) { return b.time; }},
+        {"x", "m", "of the place between its elements where it broke", [](const BondBreak& b) { return b.place.x; }},
+        {"y", "m", "likewise", [](const BondBreak& b) { return b.place.y; }},
+        {"i", "", "number of one element, its `id`", [](const BondBreak& b) { return number(b.i); }},
+        {"j", "", "number of the other", [](const BondBreak& b) { return number(b.j); }},
+        {"body", "", "name of the body it held together", [](const BondBreak& b) { return b.body; }},
     };
     return rows;
 }

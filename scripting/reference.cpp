@@ -125,15 +125,15 @@ and `region:area()` can be asked.
 
 **Handles**: `beam.radius` is the radius of a body's elements, known before they are packed; `concrete.density` and the like
 read a material back. A load is changed by `load:set { ... }` with the settings it was made with, between runs or in a
-callback. So is what `sim:output` and `sim:history` gave, by `frames:set { every = 1e-5 }`: the next is then due that long
+callback, and its signals read as what they are worth at this instant: `pull.stress_y`. So is what `sim:output` and `sim:history` gave, by `frames:set { every = 1e-5 }`: the next is then due that long
 after now; the time step stays as it was fitted to the interval first said. A body answers `beam:mean("stress_yy")`,
 `beam:sum("force_y")`, `beam:field("speed")` and, like `now.body.beam`, its motion as a whole: `beam.velocity.y`.
 
 **Bond laws**: `dem.bond_law "plateau"` gives `dem.plateau`, so that a parameter can choose: `dem.bond_law(p.law) { damping = 0.02 }`.
 
 **Several runs**: lines after `sim:run` see what came of it and may add loads, supports and notches, or change them, before
-the next. Bodies and walls must stand before the first run. `sim:history`, `sim:output` and `sim:every` stay in force and
-add up.
+the next. Bodies and walls must stand before the first run. `sim:history`, `sim:output`, `sim:every` and
+`sim:on_bond_break` stay in force and add up.
 
 **Including**: `dem.include "other.lua" { speed = 20 }` runs another scene, whose path is taken from the file's own folder,
 with other defaults for its parameters.
@@ -164,16 +164,18 @@ std::string words_as_markdown() {
     std::string text = preface;
     text += "## Words\n\n";
     for (const Word* word : model::all_words()) text += markdown_of(*word);
-    text +=
-        "## Readings\n\n`now` is what history functions and `sim:every` are given, and `sim.now` is the same between "
-        "runs. `now:mean(field, selection)`, `now:sum(field, selection)` and `now:field(name, selection)` read fields "
-        "of elements; `now:frame()` writes a frame of this very instant; `now:stop(\"reason\")` ends a run.\n\n";
+    text += "## Readings\n\n`now` is what history functions, `sim:every` and `sim:on_bond_break` are given, and "
+            "`sim.now` is the "
+            "same between runs. `now:mean(field, selection)`, `now:sum(field, selection)` and `now:field(name, "
+            "selection)` read fields "
+            "of elements; `now:frame()` writes a frame of this very instant; `now:stop(\"reason\")` ends a run.\n\n";
     text += markdown_of("`now`", now_readings());
     text += markdown_of("`now.body.NAME`", body_readings());
     text += "### `now.wall.NAME`\n\n| reading | unit | meaning |\n|---|---|---|\n| `force` | N | x and y, on the wall "
             "|\n\n";
     text += markdown_of("`now.momentum`", momentum_readings());
     text += markdown_of("`now.ledger`", ledger_readings());
+    text += markdown_of("The event of `sim:on_bond_break`", break_readings());
     text += markdown_of_fields();
     text.pop_back();
     return text;

@@ -1,5 +1,7 @@
 #include "scripting/running.hpp"
 
+#include "engine/observe/bond_breaks.hpp"
+#include "scripting/handles.hpp"
 #include "scripting/read.hpp"
 #include "scripting/signals.hpp"
 
@@ -26,13 +28,15 @@ private:
     observe::Simulation* before_;
 };
 
-/// Calls a function with `now`; what it changed is passed on, what it said wrong ends the run. Leaves `results` on the
-/// stack.
-Interpreter& call_with_now(Context& context, observe::Simulation& simulation, const Function& function, int results) {
+/// Calls a function with `now`, after the event if there is one; what it changed is passed on, what it said wrong ends the
+/// run. Leaves `results` on the stack.
+Interpreter& call_with_now(Context& context, observe::Simulation& simulation, const Function& function, int results,
+                           const observe::BondBreak* event = nullptr) {
     const Watching watching(context, simulation);
     Interpreter& interpreter = function.push();
+    if (event != nullptr) push_bond_break(interpreter.L, *event);
     push(interpreter.L, Now{});
-    interpreter.call(interpreter.L, 1, results);
+    interpreter.call(interpreter.L, event == nullptr ? 1 : 2, results);
     if (context.fatal) std::rethrow_exception(context.fatal);
     sample_changed(context, simulation.time(), context.run_end);
     context.throw_problems();
@@ -64,6 +68,17 @@ HistoryRequest request_of(Context& context, const History& history) {
     return request;
 }
 
+/// Looks after every step; each function hears of all bonds that broke in it.
+observe::Watcher break_watcher(Context& context) {
+    return {0.0, [&context, watch = observe::BreakWatch{}](observe::Simulation& simulation) mutable {
+                for (const observe::BondBreak& event : watch.fresh(simulation)) {
+                    for (const Function& function : context.on_bond_break) {
+                        call_with_now(context, simulation, function, 0, &event);
+                    }
+                }
+            }};
+}
+
 /// How to go on: by steps of motion unless one of these is given.
 struct Way {
     std::optional<model::StaticSolve> rest;
@@ -73,6 +88,7 @@ struct Way {
 RunRequest request_of(Context& context, double duration, const Way& way, const Place& place) {
     RunRequest request{duration, way.rest, way.slowly, context.outputs, {}, {}, place};
     for (const History& history : context.histories) request.histories.push_back(request_of(context, history));
+    if (!context.on_bond_break.empty()) request.callbacks.push_back(break_watcher(context));
     for (const Periodic& periodic : context.periodics) {
         request.callbacks.push_back({periodic.every, [&context, act = periodic.act](observe::Simulation& simulation) {
                                          call_with_now(context, simulation, act, 0);

@@ -178,6 +178,21 @@ void read_signal(const Value& value, const Slot& slot, int at, int component, Si
     signal = std::move(said);
 }
 
+std::vector<PresentValue> present_values(Context& context, const LoadHandle& load) {
+    const auto value = [&](const Signal& signal) { return signal.at(context.time()); };
+    std::vector<PresentValue> values;
+    for (const Setting& setting : word_of(load.kind).settings) {
+        const Slot slot = setting.slot(row_of(context.scene, load));
+        if (auto* const* plain = std::get_if<Signal*>(&slot)) {
+            values.push_back({setting.name, value(**plain)});
+        } else if (auto* const* single = std::get_if<std::optional<Signal>*>(&slot)) {
+            const std::optional<Signal>& said = **single;
+            values.push_back({setting.name, said ? std::optional<double>(value(*said)) : std::nullopt});
+        }
+    }
+    return values;
+}
+
 void sample_time_functions(Context& context, double begin, double end) {
     for (const TimeFunction& said : context.time_functions) {
         sample_one(context, said, begin, end);

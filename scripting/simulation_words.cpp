@@ -182,6 +182,20 @@ int every(lua_State* L) {
     return 0;
 }
 
+/// The function may stand alone, without a table round it.
+int on_bond_break(lua_State* L) {
+    const Call call = call_between_runs(L, words::on_bond_break(), "");
+    if (lua_type(L, 2) == LUA_TFUNCTION) {
+        lua_createtable(L, 1, 0);
+        lua_insert(L, 2);
+        lua_rawseti(L, 2, 1);
+    }
+    BondBreakSaid said;
+    if (!read(call, 2, words::on_bond_break(), said)) return 0;
+    call.context.on_bond_break.push_back(call.context.functions[said.act.key - 1]);
+    return 0;
+}
+
 int run(lua_State* L) {
     RunSaid said;
     const Call call = call_on_simulation(L, words::run());
@@ -241,8 +255,8 @@ void add_simulation(lua_State* L) {
     lua_setfield(L, -2, "simulation");
     define<SimulationHandle>(L, nullptr);
     luaL_getmetatable(L, object_name<SimulationHandle>);
-    lua_createtable(L, 0, 17);
-    constexpr std::array<luaL_Reg, 16> methods{
+    lua_createtable(L, 0, 18);
+    constexpr std::array<luaL_Reg, 17> methods{
         {{"body", guarded<body>},
          {"fix", guarded<fix>},
          {"move", guarded<move>},
@@ -256,6 +270,7 @@ void add_simulation(lua_State* L) {
          {"history", guarded<history>},
          {"output", guarded<output>},
          {"every", guarded<every>},
+         {"on_bond_break", guarded<on_bond_break>},
          {"run", guarded<run>},
          {"solve_static", guarded<solve_static>},
          {nullptr, nullptr}}};

@@ -56,6 +56,9 @@ struct EverySaid {
     double interval = 0.0;
     Callback act;
 };
+struct BondBreakSaid {
+    Callback act;
+};
 struct RunSaid {
     double duration = 0.0;
     Driver driver = Driver::dynamic;
@@ -114,6 +117,7 @@ const WordOf<BondProbe>& bond_probe();
 const WordOf<HistorySaid>& history();
 const WordOf<OutputSaid>& output();
 const WordOf<EverySaid>& every();
+const WordOf<BondBreakSaid>& on_bond_break();
 const WordOf<RunSaid>& run();
 const WordOf<StaticSolve>& solve_static();
 const WordOf<Nothing>& param();

@@ -196,6 +196,16 @@ const WordOf<EverySaid>& every() {
     return made;
 }
 
+const WordOf<BondBreakSaid>& on_bond_break() {
+    static const WordOf<BondBreakSaid> made = word<BondBreakSaid>(
+        "sim:on_bond_break",
+        "Calls a function for each bond that breaks, at the end of the step in which it does: as in sim:every it may "
+        "read, change and stop. It stays in force for later runs. Bonds that a notch cuts do not count.",
+        "", R"(sim:on_bond_break { function(event, now) print(event.time, event.x, event.y, now.broken_bonds) end })",
+        {row<&BondBreakSaid::act>("act", required, "called with the event and `now`").at(1)});
+    return made;
+}
+
 const WordOf<RunSaid>& run() {
     static const WordOf<RunSaid> made =
         word<RunSaid>("sim:run",
@@ -284,6 +294,7 @@ const std::vector<const Word*>& all_words() {
                                                 &words::history(),
                                                 &words::output(),
                                                 &words::every(),
+                                                &words::on_bond_break(),
                                                 &words::run(),
                                                 &words::solve_static(),
                                                 &words::result(),
