@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -110,7 +111,7 @@ FacetSet<Law> facets_of(const State& state, const BondedBody& said, double dampi
     bonds.tractions = tractions;
     bonds.body = said.body;
     lay_out(bonds, state, neighbours(*said.cells));
-    fill_facets(bonds, network, state.thickness * moduli.lame);
+    fill_facets(bonds, network, moduli, state.thickness);
     if (damping > 0.0) add_dashpots(bonds, state.elements, damping);
     return bonds;
 }
@@ -132,10 +133,14 @@ AnyBondSet bonds_of(const State& state, const BondedBody& said, const Choice& ch
     if (said.network == model::Network::facets) {
         return facets_of<Law>(state, said, choice.damping, law::facet_moduli(moduli), law.tractions);
     }
-    const std::vector<bonding::Pair> pairs = said.network == model::Network::delaunay
-                                                 ? neighbours(*said.cells)
-                                                 : near_pairs(state, state.bodies[said.body], choice.search);
-    return pairs_of<Law>(state, said, choice.damping, pairs, law.params);
+    if constexpr (choice.facets_only) {
+        throw std::logic_error("this bond law is for facets alone");
+    } else {
+        const std::vector<bonding::Pair> pairs = said.network == model::Network::delaunay
+                                                     ? neighbours(*said.cells)
+                                                     : near_pairs(state, state.bodies[said.body], choice.search);
+        return pairs_of<Law>(state, said, choice.damping, pairs, law.params);
+    }
 }
 
 } // namespace

@@ -148,6 +148,7 @@ void facet_forces(state::FacetSet<Law>& bonds, const state::Elements& elements, 
             law::BondForce<double> moved{0.0, 0.0};
             if constexpr (Law::yields) {
                 history.work = before.work;
+                if constexpr (Law::wakes) history.damage = before.damage;
                 moved = {history.stretch - before.stretch, history.shear - before.shear};
             }
             failing.push_back({static_cast<Index>(k), breaks, borne, moved, history});
@@ -179,8 +180,8 @@ void refresh_around(state::FacetSet<Law>& bonds, const state::Elements& elements
 }
 
 /// Lets the failing facets yield and books their plastic work: the mean of the forces at both ends of the step times the
-/// plastic displacement, which is what central difference takes out of motion and network together. Returns the bonds
-/// that break, in their order.
+/// plastic displacement, which is what central difference takes out of motion and network together. Where a law breaks by
+/// the work done, that is the work booked. Returns the bonds that break, in their order.
 template <class Law>
 std::vector<Index> settle_yielding(state::FacetSet<Law>& bonds, const state::Elements& elements,
                                    const std::vector<std::vector<Failing<Law>>>& parts) {
@@ -192,7 +193,6 @@ std::vector<Index> settle_yielding(state::FacetSet<Law>& bonds, const state::Ele
         bonds.history.store(failing.bond, failing.history);
         grow_cell_sides(bonds, elements, failing.bond);
         yielded.push_back(failing.bond);
-        if (failing.breaks) breaking.push_back(failing.bond);
     }
     if constexpr (Law::yields) {
         refresh_around(bonds, elements, yielded);
@@ -200,8 +200,15 @@ std::vector<Index> settle_yielding(state::FacetSet<Law>& bonds, const state::Ele
             const std::size_t k = failing.bond;
             failing.history.work += 0.5 * ((failing.borne.normal + bonds.normal[k]) * failing.moved.normal +
                                            (failing.borne.shear + bonds.shear[k]) * failing.moved.shear);
+            if constexpr (Law::wakes) {
+                Law::wear(params_of(bonds, k), failing.history);
+                failing.breaks = Law::broken(params_of(bonds, k), 1.0, bonds.motion[k], failing.history);
+            }
             bonds.history.store(k, failing.history);
         }
+    }
+    for (const Failing<Law>& failing : all) {
+        if (failing.breaks) breaking.push_back(failing.bond);
     }
     return breaking;
 }
