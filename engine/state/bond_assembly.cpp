@@ -3,6 +3,7 @@
 #include "engine/bonding/bonding.hpp"
 #include "engine/model/derived_law.hpp"
 #include "engine/state/facet_assembly.hpp"
+#include "engine/state/free_wall.hpp"
 #include "engine/state/incidence.hpp"
 
 #include <algorithm>
@@ -97,6 +98,9 @@ void add_dashpots(Bonds& bonds, const Elements& elements, double fraction) {
 }
 
 template <class Law>
+void free_wall(BondSet<Law>& /*bonds*/, std::size_t /*k*/) {}
+
+template <class Law>
 FacetSet<Law> facets_of(const State& state, const BondedBody& said, double damping, const law::FacetModuli& moduli,
                         const typename Law::Tractions& tractions) {
     const Body& body = state.bodies[said.body];
@@ -188,6 +192,7 @@ std::size_t cut(State& state, std::size_t body, Vec2 from, Vec2 to) {
                         if (bonds.broken[k] != 0 || !bonding::cut_crosses(from, to, a, b)) continue;
                         const double touch = state.elements.radius[bonds.i[k]] + state.elements.radius[bonds.j[k]];
                         bonds.broken[k] = 1;
+                        free_wall(bonds, k);
                         bonds.contact_length[k] = std::min(bonds.length[k], touch);
                         ++bonds.broken_count;
                         ++count;

@@ -3,6 +3,7 @@
 // derive from the energy the ledger knows.
 #pragma once
 
+#include "engine/state/free_wall.hpp"
 #include "engine/step/bond_forces.hpp"
 
 #include <algorithm>
@@ -213,21 +214,22 @@ std::vector<Index> settle_yielding(state::FacetSet<Law>& bonds, const state::Ele
     return breaking;
 }
 
-/// Takes bond `k` out of its cells and gives the energy that they and its springs lose.
+/// Takes bond `k` out of its cells, leaves free walls there, and gives the energy that cells and springs lose.
 template <class Law>
 double let_go(state::FacetSet<Law>& bonds, const state::Elements& elements, std::size_t k) {
-    double lost = stored_energy(bonds, elements, k);
-    const auto release = [&](std::size_t element, double& grown) {
-        const std::size_t e = element - bonds.incidence.first;
-        const double per_growth = bonds.pressure_per_growth[e];
-        lost += cell_energy(bonds.pressure[e], per_growth);
-        bonds.pressure[e] -= per_growth * grown;
-        lost -= cell_energy(bonds.pressure[e], per_growth);
-        grown = 0.0;
-    };
-    release(bonds.i[k], bonds.grown_i[k]);
-    release(bonds.j[k], bonds.grown_j[k]);
-    return lost;
+    const std::size_t i = bonds.i[k] - bonds.incidence.first;
+    const std::size_t j = bonds.j[k] - bonds.incidence.first;
+    const auto energy = [&](std::size_t e) { return cell_energy(bonds.pressure[e], bonds.pressure_per_growth[e]); };
+    const double before = stored_energy(bonds, elements, k) + energy(i) + energy(j);
+    bonds.pressure[i] -= bonds.pressure_per_growth[i] * bonds.grown_i[k];
+    bonds.pressure[j] -= bonds.pressure_per_growth[j] * bonds.grown_j[k];
+    bonds.grown_i[k] = bonds.grown_j[k] = 0.0;
+    const double stiff_i = bonds.pressure_per_growth[i];
+    const double stiff_j = bonds.pressure_per_growth[j];
+    state::free_wall(bonds, k);
+    if (stiff_i > 0.0) bonds.pressure[i] *= bonds.pressure_per_growth[i] / stiff_i;
+    if (stiff_j > 0.0) bonds.pressure[j] *= bonds.pressure_per_growth[j] / stiff_j;
+    return before - energy(i) - energy(j);
 }
 
 } // namespace demlua::step
