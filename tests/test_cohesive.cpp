@@ -106,16 +106,33 @@ model::Material stiff_concrete() {
     return material;
 }
 
-/// The ends of a bar are drawn apart along it, `speed` each, which they reach in `rise`.
-void draw_apart(model::Scene& scene, Vec2 size, double angle, double speed, double rise) {
+/// A bar of size.x by 2 size.y about the origin, the upper half of its irregular pack the mirror image of the lower.
+model::Scene mirrored_bar(Vec2 size, const model::Material& material) {
+    model::Scene scene = bar(size, 0.0, Pack::relaxed, 0.005, material);
+    const state::State below = state::assemble(scene).state;
+    model::ListedDisks mirrored;
+    for (std::size_t k = 0; k < below.elements.size(); ++k) {
+        const Vec2 at = below.elements.position(k) - Vec2{0.0, 0.5 * size.y};
+        for (const double side : {1.0, -1.0}) mirrored.disks.push_back({{at.x, side * at.y}, 0.002});
+    }
+    scene.bodies[0].packing = mirrored;
+    scene.bodies[0].region = model::Region::rectangle({-0.5 * size.x, -size.y}, {size.x, 2.0 * size.y});
+    return scene;
+}
+
+/// Every element near the ends of a bar moves as a uniform pull along it would carry it: `rate` of strain, in 1/s.
+void draw_apart(model::Scene& scene, double length, double angle, double nu, double rate) {
     const Vec2 along = turned(Vec2{1.0, 0.0}, angle);
-    const double R = 0.005;
-    for (const double side : {-1.0, 1.0}) {
+    const state::State rest = state::assemble(scene).state;
+    for (std::size_t k = 0; k < rest.elements.size(); ++k) {
+        const Vec2 here = rest.elements.position(k);
+        if (std::fabs(dot(here, along)) < 0.5 * length - 0.0125) continue;
+        const Vec2 v = rate * (dot(here, along) * along - nu * dot(here, turned_left(along)) * turned_left(along));
         model::Motion motion;
         motion.selection = test::all_of(0);
-        motion.selection.where = [=](Vec2 at) { return side * dot(at, along) > 0.5 * size.x - 2.5 * R; };
-        motion.velocity_x = Signal{{0.0, rise}, {0.0, side * speed * along.x}};
-        motion.velocity_y = Signal{{0.0, rise}, {0.0, side * speed * along.y}};
+        motion.selection.where = [here](Vec2 at) { return norm(at - here) < 1e-6; };
+        motion.velocity_x = Signal{{0.0, 2e-4}, {0.0, v.x}};
+        motion.velocity_y = Signal{{0.0, 2e-4}, {0.0, v.y}};
         scene.motions.push_back(motion);
     }
 }
@@ -123,16 +140,19 @@ void draw_apart(model::Scene& scene, Vec2 size, double angle, double speed, doub
 } // namespace
 
 TEST_CASE("a facet drawn apart in any direction spends G A t cos, and no less than 0.3 G A t") {
-    // W = G A t c, c = max(cos, 0.3), by definition of the law; the last step alone is too long.
+    // W = G A t max(w_n/|w|, 0.3), by definition of the law; w is what was drawn but for the little that is elastic when q is
+    // nearly gone. The last step is too long by a share that falls with the step.
     const double angle = GENERATE(0.0, 20.0, 45.0, 60.0, 85.0) * degree;
-    const double owed = one_facet.energy * std::max(std::cos(angle), 0.3);
     const double reach = 2.0 * one_facet.energy / one_facet.strength; // of the triangle with this area
-    const Drawn coarse = drawn(angle, reach / 500.0);
-    CHECK(coarse.work - coarse.stored == Approx(owed).epsilon(1e-3));
-    CHECK(coarse.history.work == Approx(owed).epsilon(1e-3));
-    const Drawn fine = drawn(angle, reach / 20000.0);
-    CHECK(fine.work - fine.stored == Approx(owed).epsilon(5e-5));
-    CHECK(std::fabs(fine.stored) < 1e-6 * owed);
+    const Drawn coarse = drawn(angle, reach / 2000.0);
+    const Drawn fine = drawn(angle, reach / 50000.0);
+    const auto owed = [](const Drawn& facet) {
+        return one_facet.energy * Law::cosine(facet.history.stretch, facet.history.shear);
+    };
+    CHECK(coarse.history.work == Approx(owed(coarse)).epsilon(1e-3));
+    CHECK(fine.history.work == Approx(owed(fine)).epsilon(2e-4));
+    CHECK(fine.work - fine.stored == Approx(fine.history.work).epsilon(5e-4));
+    CHECK(fine.work == Approx(one_facet.energy * std::max(std::cos(angle), 0.3)).epsilon(2e-3));
 }
 
 TEST_CASE("an awake facet unloads elastically, is held under pressure by what is left of it and friction") {
@@ -178,7 +198,7 @@ TEST_CASE("in a uniform pull all facets wake at the tensile strength, whatever i
     const double angle = GENERATE(0.0, 30.0, 45.0, 90.0) * degree;
     const double nu = 0.3;
     const model::Material material = stiff_concrete();
-    const state::State rest = state::assemble(bar({0.12, 0.12}, 0.0, pack, 0.005, material)).state;
+    const state::State rest = state::assemble(bar({0.16, 0.16}, 0.0, pack, 0.005, material)).state;
     const Vec2 n = turned(Vec2{1.0, 0.0}, angle);
     for (const double load : {1.0 - 1e-6, 1.0 + 1e-6}) {
         state::State state = rest;
@@ -193,7 +213,7 @@ TEST_CASE("in a uniform pull all facets wake at the tensile strength, whatever i
         const Facets& facets = facets_of(state);
         const auto inside = [&](Index element) {
             const Vec2 at = state.elements.position(element);
-            return std::max(std::fabs(at.x), std::fabs(at.y)) < 0.06 - 4.0 * 0.005;
+            return std::max(std::fabs(at.x), std::fabs(at.y)) < 0.08 - 6.0 * 0.005;
         };
         std::size_t pulled = 0;
         std::size_t awake = 0;
@@ -250,17 +270,17 @@ TEST_CASE("a straight crack of any direction through any pack spends G times its
 }
 
 TEST_CASE("a bar drawn apart bears its tensile strength, whatever its direction and pack") {
+    // A close-packed body repeats itself every 60 degrees: columns stand for rows at 30 and at 90.
     const auto [pack, angle] = GENERATE(table<Pack, double>({{Pack::rows, 0.0},
-                                                             {Pack::rows, 30.0},
+                                                             {Pack::columns, 0.0},
                                                              {Pack::rows, 45.0},
-                                                             {Pack::rows, 90.0},
                                                              {Pack::relaxed, 0.0},
                                                              {Pack::other_relaxed, 0.0}}));
     const Vec2 size{0.16, 0.08};
     model::Scene scene = bar(size, angle * degree, pack, 0.005, test::concrete());
-    // At 0.005 m/s the strength takes 1.9 ms, forty passages of a wave.
-    draw_apart(scene, size, angle * degree, 0.005, 2e-4);
-    scene.step_fraction = 0.8;
+    // At 0.06/s the strength takes 2 ms, forty passages of a wave.
+    draw_apart(scene, size.x, angle * degree, 0.3, 0.06);
+    scene.step_fraction = 0.4;
     observe::Simulation sim(scene, 1);
     const Vec2 along = turned(Vec2{1.0, 0.0}, angle * degree);
     double most = 0.0;
@@ -276,7 +296,7 @@ TEST_CASE("a bar drawn apart bears its tensile strength, whatever its direction 
                 const double xy = now.measure("stress_xy", middle);
                 peak = std::max(peak, along.x * along.x * xx + along.y * along.y * yy + 2.0 * along.x * along.y * xy);
             })});
-    CHECK(sim.fragments() > 1);
+    CHECK(sim.broken_bonds() > 0);
     CHECK(peak == Approx(strength).epsilon(0.05));
 }
 
@@ -326,15 +346,7 @@ TEST_CASE("a pull along a straight cut is the same beside the cut as elsewhere")
     const Vec2 half{0.4, 0.1};
     model::Material material = test::concrete();
     material.poissons_ratio = nu;
-    model::Scene scene = bar(half, 0.0, Pack::relaxed, 0.005, material);
-    const state::State below = state::assemble(scene).state;
-    model::ListedDisks mirrored;
-    for (std::size_t k = 0; k < below.elements.size(); ++k) {
-        const Vec2 at = below.elements.position(k) - Vec2{0.0, 0.5 * half.y};
-        for (const double side : {1.0, -1.0}) mirrored.disks.push_back({{at.x, side * at.y}, 0.002});
-    }
-    scene.bodies[0].packing = mirrored;
-    scene.bodies[0].region = model::Region::rectangle({-0.5 * half.x, -half.y}, {half.x, 2.0 * half.y});
+    model::Scene scene = mirrored_bar(half, material);
     state::State state = state::assemble(scene).state;
     CHECK(state::cut(state, 0, {-half.x, 0.0}, {half.x, 0.0}) > 30);
 
@@ -366,18 +378,22 @@ TEST_CASE("a pull along a straight cut is the same beside the cut as elsewhere")
 }
 
 TEST_CASE("what is symmetric wakes symmetrically: all facets that qualify at one instant wake together") {
-    // Close-packed rows of odd and even number, mirrored at x = 0; sums come in another order on either side, which leaves
-    // round-off, and that decides nothing until it has grown.
-    const Vec2 size{0.16, 0.08};
-    model::Scene scene = bar(size, 0.0, Pack::rows, 0.005, test::concrete());
-    draw_apart(scene, size, 0.0, 0.02, 2e-4);
+    // A pack mirrored at y = 0; sums come in another order on either side, which leaves round-off, and that decides nothing
+    // until it has grown.
+    model::Scene scene = mirrored_bar({0.16, 0.05}, test::concrete());
+    for (const model::Side side : {model::Side::left, model::Side::right}) {
+        model::Motion motion;
+        motion.selection = test::side_of(0, side);
+        motion.velocity_x = Signal{{0.0, 2e-4}, {0.0, side == model::Side::left ? -0.02 : 0.02}};
+        scene.motions.push_back(motion);
+    }
     observe::Simulation sim(scene, 1);
     const state::Elements& elements = sim.state().elements;
     const auto key = [&](std::size_t i, std::size_t j, double mirror) {
         const Vec2 middle = 0.5 * (reference(elements, i) + reference(elements, j));
-        return std::pair{std::lround(mirror * middle.x / 1e-5), std::lround(middle.y / 1e-5)};
+        return std::pair{std::lround(middle.x / 1e-6), std::lround(mirror * middle.y / 1e-6)};
     };
-    bool compared = false;
+    std::size_t most = 0;
     sim.run(1.5e-3, {test::watching(5e-6, [&](observe::Simulation& now) {
                 const Facets& facets = facets_of(now);
                 std::set<std::pair<long, long>> there;
@@ -387,10 +403,9 @@ TEST_CASE("what is symmetric wakes symmetrically: all facets that qualify at one
                     there.insert(key(facets.i[k], facets.j[k], 1.0));
                     mirrored.insert(key(facets.i[k], facets.j[k], -1.0));
                 }
-                if (there.empty() || compared) return;
                 CHECK(there == mirrored);
-                compared = true;
-                now.stop("woken");
+                most = std::max(most, there.size());
+                if (most > 20) now.stop("woken");
             })});
-    CHECK(compared);
+    CHECK(most > 20);
 }
