@@ -66,14 +66,15 @@ Drawn drawn(double angle, double step) {
 enum class Pack { rows, columns, relaxed, other_relaxed };
 
 /// A rectangle turned by `angle` about its middle, which is the origin.
-model::Scene bar(Vec2 size, double angle, Pack pack, double radius, const model::Material& material) {
+model::Scene bar(Vec2 size, double angle, Pack pack, double radius, const model::Material& material,
+                 model::Fit fit = model::Fit::inside) {
     model::Scene scene = test::scene_of(material);
     model::Body body;
     body.name = "bar";
     body.region = model::Region::rectangle({-0.5 * size.x, -0.5 * size.y}, size).rotated(angle, {0.0, 0.0});
     if (pack == Pack::rows || pack == Pack::columns) {
-        body.packing = model::ClosePacking{
-            radius, pack == Pack::rows ? model::Rows::horizontal : model::Rows::vertical, model::Fit::inside, {}};
+        body.packing =
+            model::ClosePacking{radius, pack == Pack::rows ? model::Rows::horizontal : model::Rows::vertical, fit, {}};
     } else {
         model::Relaxation relaxed;
         relaxed.spacing = 2.0 * radius;
@@ -253,7 +254,7 @@ TEST_CASE("a straight crack of any direction through any pack spends G times its
     Team team(1);
     step::Stepper stepper(team, state, 0.2);
     constexpr double widest = 80e-6; // 2 G/(0.3 s) is 65e-6
-    constexpr int steps = 800;
+    constexpr int steps = 1600;
     for (int n = 0; n <= steps; ++n) {
         for (std::size_t k = 0; k < state.elements.size(); ++k) {
             if (!beyond(k)) continue;
@@ -270,14 +271,15 @@ TEST_CASE("a straight crack of any direction through any pack spends G times its
 }
 
 TEST_CASE("a bar drawn apart bears its tensile strength, whatever its direction and pack") {
-    // A close-packed body repeats itself every 60 degrees: columns stand for rows at 30 and at 90.
+    // A close-packed body repeats itself every 60 degrees: columns stand for rows at 30 and at 90. Elements reach up to the
+    // walls: where a lattice askew leaves gaps of nearly a row there, its wall cells are not elastically exact, and wake early.
     const auto [pack, angle] = GENERATE(table<Pack, double>({{Pack::rows, 0.0},
                                                              {Pack::columns, 0.0},
                                                              {Pack::rows, 45.0},
                                                              {Pack::relaxed, 0.0},
                                                              {Pack::other_relaxed, 0.0}}));
     const Vec2 size{0.16, 0.08};
-    model::Scene scene = bar(size, angle * degree, pack, 0.005, test::concrete());
+    model::Scene scene = bar(size, angle * degree, pack, 0.005, test::concrete(), model::Fit::centres);
     // At 0.06/s the strength takes 2 ms, forty passages of a wave.
     draw_apart(scene, size.x, angle * degree, 0.3, 0.06);
     scene.step_fraction = 0.4;
