@@ -32,6 +32,7 @@ constexpr std::array law_words{
     law_word<SofteningBonds, words::softening>,
     law_word<BrittleTensileBonds, words::brittle_tensile>,
     law_word<BrittleToughnessBonds, words::brittle_toughness>,
+    law_word<CohesiveBonds, words::cohesive>,
 };
 
 /// dem.bond_law "plateau" is dem.plateau.

@@ -93,6 +93,25 @@ TEST_CASE("elements too large for their bonds are refused once the body is packe
     CHECK(assembled(plate("dem.brittle_tensile {}", "dem.relaxed { spacing = 0.2 }", "")).empty());
 }
 
+TEST_CASE("dem.cohesive takes facets on any pack and nothing else", "[scene]") {
+    const std::string fine = "dem.close_packed { radius = 0.015 }";
+    const model::Scene scene = checked(plate("dem.bond_law \"cohesive\" {}", fine, "")).scene;
+    CHECK(std::holds_alternative<model::CohesiveBonds>(scene.bodies.at(0).bonds));
+    CHECK(model::network_of(scene.bodies.at(0)) == model::Network::facets);
+    for (const char* stiffness : {"unit cell", "contacts", "delaunay"}) {
+        const std::vector<std::string> told =
+            assembled(plate(std::string("dem.cohesive { stiffness = \"") + stiffness + "\" }", fine, ""));
+        REQUIRE(told.size() == 1);
+        CHECK_THAT(told[0], Catch::Matchers::ContainsSubstring(std::string("cohesive.stiffness = \"") + stiffness) &&
+                                Catch::Matchers::ContainsSubstring("needs the facets of cells"));
+    }
+    // Largest distance 0.6 (K_Ic/s)^2/(1 + nu*) = 0.0390024 m.
+    const std::vector<std::string> large =
+        assembled(plate("dem.cohesive {}", "dem.close_packed { radius = 0.02 }", ""));
+    REQUIRE(large.size() == 1);
+    CHECK_THAT(large[0], Catch::Matchers::ContainsSubstring("the largest distance is 0.0390024 m"));
+}
+
 TEST_CASE("a notch that cuts nothing is refused, one that cuts is not", "[scene]") {
     const std::string packing = "dem.close_packed { radius = 0.05 }";
     // Rows stand at 0.05 + 0.0866 n; between two columns of a row, along it, nothing is crossed.

@@ -20,6 +20,7 @@ struct Brittle {
     static constexpr const char* name = Cap::name;
     static constexpr bool breaks = true;
     static constexpr bool yields = false;
+    static constexpr bool wakes = false;
 
     struct Params {
         double Kn = 0.0;  ///< N/m

@@ -16,6 +16,7 @@ struct Elastic {
     static constexpr const char* name = "elastic";
     static constexpr bool breaks = false;
     static constexpr bool yields = false;
+    static constexpr bool wakes = false;
 
     struct Params {
         double Kn = 0.0; ///< N/m

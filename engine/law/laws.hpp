@@ -1,12 +1,14 @@
 // The bond laws, one row each. To add one: write its file like elastic.hpp (equation, Params, History, derive, respond,
 // has_yielded, stored_energy; if it breaks, broken, caps and damage; if it yields, largest_radius and the plastic stretch, shear
-// and work in its History), put it in this list, give it a choice in model/scene.hpp with a word in
+// and work in its History; `wakes` says that its facets are dormant until the stress of their cells wakes them, as in
+// cohesive.hpp: such a law is for facets alone), put it in this list, give it a choice in model/scene.hpp with a word in
 // model/settings_bonds.cpp, a `derived` in model/derived_law.hpp and a row in scripting/bond_laws.cpp. Loops, checks, files
 // and ledger follow.
 #pragma once
 
 #include "engine/law/brittle_tensile.hpp"
 #include "engine/law/brittle_toughness.hpp"
+#include "engine/law/cohesive.hpp"
 #include "engine/law/elastic.hpp"
 #include "engine/law/plateau.hpp"
 #include "engine/law/softening.hpp"
@@ -14,8 +16,8 @@
 namespace demlua::law {
 
 template <template <class> class Pairs, template <class> class Facets, template <class...> class List>
-using ForEachBondLaw =
-    List<Pairs<Elastic>, Pairs<Plateau>, Pairs<Softening>, Pairs<BrittleTensile>, Pairs<BrittleToughness>,
-         Facets<Elastic>, Facets<Plateau>, Facets<Softening>, Facets<BrittleTensile>, Facets<BrittleToughness>>;
+using ForEachBondLaw = List<Pairs<Elastic>, Pairs<Plateau>, Pairs<Softening>, Pairs<BrittleTensile>,
+                            Pairs<BrittleToughness>, Facets<Elastic>, Facets<Plateau>, Facets<Softening>,
+                            Facets<BrittleTensile>, Facets<BrittleToughness>, Facets<Cohesive>>;
 
 } // namespace demlua::law

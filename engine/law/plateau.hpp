@@ -21,6 +21,7 @@ struct Plateau {
     static constexpr const char* name = "plateau";
     static constexpr bool breaks = true;
     static constexpr bool yields = true;
+    static constexpr bool wakes = false;
 
     using Params = StrengthCaps;
     using Tractions = FacetCaps;

@@ -27,6 +27,7 @@ struct Softening {
     static constexpr const char* name = "softening";
     static constexpr bool breaks = true;
     static constexpr bool yields = true;
+    static constexpr bool wakes = false;
 
     using Params = StrengthCaps;
     using Tractions = FacetCaps;

@@ -18,7 +18,7 @@ std::optional<Network> network_of(const Body& body) {
             if constexpr (std::is_same_v<std::decay_t<decltype(bonds)>, NoBonds>)
                 return std::nullopt;
             else
-                return bonds.network;
+                return bonds.facets_only ? Network::facets : bonds.network;
         },
         body.bonds);
     if (chosen != Network::automatic) return chosen;

@@ -2,6 +2,7 @@
 
 #include "engine/model/derived_law.hpp"
 #include "engine/model/setting.hpp"
+#include "engine/model/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -32,6 +33,16 @@ std::string law_name(const Body& body) {
     return with_bonds(body, std::string("no bonds"), [](const auto& bonds) {
         return std::string("dem.") + LawOf<std::decay_t<decltype(bonds)>>::name;
     });
+}
+
+/// A law for facets alone takes no other network.
+void check_facets_only(const Body& body, std::vector<Problem>& problems) {
+    const Network said = with_bonds(
+        body, Network::facets, [](const auto& bonds) { return bonds.facets_only ? bonds.network : Network::facets; });
+    if (said == Network::automatic || said == Network::facets) return;
+    problems.push_back({body.place, law_name(body).substr(4) + ".stiffness",
+                        '"' + words::network_names()[static_cast<std::size_t>(said)] + '"',
+                        "cannot be: this law needs the facets of cells", R"(leave it away, or say "facets")"});
 }
 
 bool can_break(const Body& body) {
@@ -75,6 +86,7 @@ std::optional<double> radius_said(const Body& body) {
 }
 
 void check_bonds(const Scene& scene, const Body& body, std::vector<Problem>& problems) {
+    check_facets_only(body, problems);
     const std::optional<Network> network = network_of(body);
     if (!network || body.material >= scene.materials.size()) return;
     const Material& material = scene.materials[body.material];

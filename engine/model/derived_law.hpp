@@ -18,6 +18,7 @@ struct Matter {
     double strength = 0.0;             ///< Pa
     double toughness = 0.0;            ///< Pa m^0.5
     double rate_factor = 1.0;
+    double friction = 0.0;
 };
 
 inline law::PlaneModuli plane_moduli_of(const Material& material, Plane plane) {
@@ -38,7 +39,8 @@ inline Matter matter_of(const Material& material, Plane plane, double thickness)
             thickness,
             material.tensile_strength.value_or(0.0),
             fracture_toughness_of(material, plane).value_or(0.0),
-            material.rate_factor};
+            material.rate_factor,
+            material.friction};
 }
 
 /// Parameters for pairs and for facets.
@@ -77,6 +79,11 @@ inline DerivedLaw<law::BrittleTensile> derived(const BrittleTensileBonds& /*said
 inline DerivedLaw<law::BrittleToughness> derived(const BrittleToughnessBonds& /*said*/, const Matter& m) {
     return {law::BrittleToughness::derive(m.stiffness, m.thickness, m.toughness, m.rate_factor),
             law::BrittleToughness::derive_tractions(m.thickness, m.toughness, m.rate_factor)};
+}
+
+inline DerivedLaw<law::Cohesive> derived(const CohesiveBonds& /*said*/, const Matter& m) {
+    return {{},
+            law::Cohesive::derive_tractions(m.moduli, m.thickness, m.strength, m.toughness, m.rate_factor, m.friction)};
 }
 
 template <class Choice>

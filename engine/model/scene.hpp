@@ -41,7 +41,8 @@ struct Material {
 struct NoBonds {};
 /// Which elements of a body are bonded and how stiffly.
 enum class Network {
-    automatic, ///< unit cell for close packing, facets for packs that fill a region irregularly, contacts for others
+    automatic, ///< facets for laws that need them; else unit cell for close packing, facets for packs that fill a region
+               ///< irregularly, contacts for others
     facets,    ///< across the facets of cells, exact on any pack (law/facet.hpp)
     unit_cell, ///< elements that touch, eqs 15, 16: exact for close packing
     delaunay,  ///< all neighbouring cells, eqs 15, 16
@@ -52,6 +53,7 @@ struct BondSettings {
     double search = 0.1;  ///< elements touch when the gap between them is below this share of the mean radius
     double damping = 0.0; ///< dashpots beside the springs, as a fraction of critical of one bond
     Network network = Network::automatic;
+    static constexpr bool facets_only = false; ///< whether the law needs the facets of cells
 };
 // The laws of engine/law by the same names; `needs_...` is what they take from the material.
 struct ElasticBonds : BondSettings {
@@ -75,8 +77,13 @@ struct BrittleToughnessBonds : BondSettings {
     static constexpr bool needs_strength = false;
     static constexpr bool needs_toughness = true;
 };
-using BondChoice =
-    std::variant<NoBonds, ElasticBonds, PlateauBonds, SofteningBonds, BrittleTensileBonds, BrittleToughnessBonds>;
+struct CohesiveBonds : BondSettings {
+    static constexpr bool needs_strength = true;
+    static constexpr bool needs_toughness = true;
+    static constexpr bool facets_only = true;
+};
+using BondChoice = std::variant<NoBonds, ElasticBonds, PlateauBonds, SofteningBonds, BrittleTensileBonds,
+                                BrittleToughnessBonds, CohesiveBonds>;
 
 struct Body {
     std::string name;

@@ -94,11 +94,14 @@ const WordOf<Consolidation>& consolidated();
 const WordOf<Relaxation>& relaxed();
 const WordOf<ListedDisks>& disks();
 const WordOf<DiskSaid>& disk();
+/// The values of a bond law's `stiffness`, in the order of Network.
+const Names& network_names();
 const WordOf<ElasticBonds>& elastic();
 const WordOf<PlateauBonds>& plateau();
 const WordOf<SofteningBonds>& softening();
 const WordOf<BrittleTensileBonds>& brittle_tensile();
 const WordOf<BrittleToughnessBonds>& brittle_toughness();
+const WordOf<CohesiveBonds>& cohesive();
 const WordOf<Body>& body();
 const WordOf<ShiftSaid>& set_velocity();
 

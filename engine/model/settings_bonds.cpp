@@ -8,15 +8,15 @@ namespace demlua::model::words {
 
 using namespace rows;
 
-namespace {
-
-constexpr const char* network_meaning =
-    R"("facets": every two neighbouring cells, elastically exact on any pack; "unit cell": elements that touch, eqs 15-16, exact for close packing; "delaunay": all neighbouring cells, eqs 15-16; "contacts": elements that touch, eqs 15-16, softer than said on an irregular pack; "automatic": unit cell for close packing, facets for packs that fill a region, contacts for listed disks)";
-
 const Names& network_names() {
     static const Names names{"automatic", "facets", "unit cell", "delaunay", "contacts"};
     return names;
 }
+
+namespace {
+
+constexpr const char* network_meaning =
+    R"("facets": every two neighbouring cells, elastically exact on any pack; "unit cell": elements that touch, eqs 15-16, exact for close packing; "delaunay": all neighbouring cells, eqs 15-16; "contacts": elements that touch, eqs 15-16, softer than said on an irregular pack; "automatic": unit cell for close packing, facets for packs that fill a region, contacts for listed disks, and facets whatever the pack for dem.cohesive)";
 
 /// A bond law: what all have, and its own settings.
 template <class T>
@@ -77,6 +77,16 @@ const WordOf<BrittleToughnessBonds>& brittle_toughness() {
         "Bonds that break at once at the pull that the fracture toughness puts on the tip of a crack (Tavarez & Plesha "
         "2007, eq. 26). The strength without a crack then depends on the size of the elements.",
         "dem.brittle_toughness { search = 0.1 }");
+    return made;
+}
+
+const WordOf<CohesiveBonds>& cohesive() {
+    static const WordOf<CohesiveBonds> made = bond_law<CohesiveBonds>(
+        "dem.cohesive",
+        "Facets that wake where the stress reaches the tensile strength and let go while the fracture energy of the "
+        "crack "
+        "they open is spent, whatever its direction: converges to fracture mechanics. Only across facets.",
+        "dem.cohesive { damping = 0.02 }");
     return made;
 }
 

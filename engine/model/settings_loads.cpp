@@ -278,6 +278,7 @@ const std::vector<const Word*>& all_words() {
                                                 &words::softening(),
                                                 &words::brittle_tensile(),
                                                 &words::brittle_toughness(),
+                                                &words::cohesive(),
                                                 &words::body(),
                                                 &words::set_velocity(),
                                                 &words::fix(),

@@ -1,39 +1,36 @@
 #include "engine/observe/stress.hpp"
 
+#include "engine/step/cell_stress.hpp"
 #include "engine/step/wall_parts.hpp"
 
 namespace demlua::observe {
 
 namespace {
 
-void add(std::vector<double>& stress, std::size_t element, Vec2 force, Vec2 arm) {
-    stress[3 * element] += force.x * arm.x;
-    stress[3 * element + 1] += force.y * arm.y;
-    stress[3 * element + 2] += 0.5 * (force.x * arm.y + force.y * arm.x);
-}
-
 template <class Pairs>
-void add_pairs(const Pairs& pairs, const state::Elements& elements, std::vector<double>& stress) {
+void add_pairs(const Pairs& pairs, const state::Elements& elements, std::vector<step::PlaneStress>& stress) {
     for (std::size_t k = 0; k < pairs.size(); ++k) {
         const std::size_t i = pairs.i[k];
         const std::size_t j = pairs.j[k];
         const Vec2 span = elements.position(j) - elements.position(i);
         const double share = elements.radius[i] / (elements.radius[i] + elements.radius[j]);
         const Vec2 f{pairs.fx[k], pairs.fy[k]};
-        add(stress, i, f, share * span);
-        add(stress, j, -f, (share - 1.0) * span);
+        stress[i].add(f, share * span);
+        stress[j].add(-f, (share - 1.0) * span);
     }
 }
 
 /// A facet's force acts at its middle.
 template <class Law>
-void add_pairs(const state::FacetSet<Law>& bonds, const state::Elements& elements, std::vector<double>& stress) {
+void add_pairs(const state::FacetSet<Law>& bonds, const state::Elements& elements,
+               std::vector<step::PlaneStress>& stress) {
     for (std::size_t k = 0; k < bonds.size(); ++k) {
         const Vec2 span = elements.position(bonds.j[k]) - elements.position(bonds.i[k]);
-        const Vec2 aside = (bonds.centre[k] / norm(span)) * turned_left(span);
+        const double length = norm(span);
+        const step::FacetArms arms = step::facet_arms(bonds, k, span / length, length);
         const Vec2 f{bonds.fx[k], bonds.fy[k]};
-        add(stress, bonds.i[k], f, bonds.share_i[k] * span + aside);
-        add(stress, bonds.j[k], -f, (bonds.share_i[k] - 1.0) * span + aside);
+        stress[bonds.i[k]].add(f, arms.of_i);
+        stress[bonds.j[k]].add(-f, arms.of_j);
     }
 }
 
@@ -41,7 +38,7 @@ void add_pairs(const state::FacetSet<Law>& bonds, const state::Elements& element
 
 std::vector<double> stress_of_elements(const state::State& state) {
     const state::Elements& elements = state.elements;
-    std::vector<double> stress(3 * elements.size(), 0.0);
+    std::vector<step::PlaneStress> stress(elements.size());
     for (const state::AnyBondSet& any : state.bond_sets) {
         std::visit([&](const auto& bonds) { add_pairs(bonds, elements, stress); }, any);
     }
@@ -55,13 +52,15 @@ std::vector<double> stress_of_elements(const state::State& state) {
         const double overlap = state.wall_contacts.overlap[c];
         if (overlap <= 0.0) continue;
         const Vec2 f = (k.normal * overlap + history.damping) * gap.normal - history.force * turned_left(gap.normal);
-        add(stress, e, f, -gap.distance * gap.normal);
+        stress[e].add(f, -gap.distance * gap.normal);
     }
+    std::vector<double> components;
+    components.reserve(3 * elements.size());
     for (std::size_t e = 0; e < elements.size(); ++e) {
-        const double volume = elements.cell_area[e] * state.thickness;
-        for (std::size_t c = 0; c < 3; ++c) stress[3 * e + c] /= volume;
+        const step::PlaneStress mean = (1.0 / (elements.cell_area[e] * state.thickness)) * stress[e];
+        components.insert(components.end(), {mean.xx, mean.yy, mean.xy});
     }
-    return stress;
+    return components;
 }
 
 } // namespace demlua::observe

@@ -3,11 +3,13 @@
 #include "engine/bonding/bonding.hpp"
 #include "engine/model/derived_law.hpp"
 #include "engine/state/facet_assembly.hpp"
+#include "engine/state/free_wall.hpp"
 #include "engine/state/incidence.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -96,6 +98,9 @@ void add_dashpots(Bonds& bonds, const Elements& elements, double fraction) {
 }
 
 template <class Law>
+void free_wall(BondSet<Law>& /*bonds*/, std::size_t /*k*/) {}
+
+template <class Law>
 FacetSet<Law> facets_of(const State& state, const BondedBody& said, double damping, const law::FacetModuli& moduli,
                         const typename Law::Tractions& tractions) {
     const Body& body = state.bodies[said.body];
@@ -110,7 +115,7 @@ FacetSet<Law> facets_of(const State& state, const BondedBody& said, double dampi
     bonds.tractions = tractions;
     bonds.body = said.body;
     lay_out(bonds, state, neighbours(*said.cells));
-    fill_facets(bonds, network, state.thickness * moduli.lame);
+    fill_facets(bonds, network, moduli, state.thickness);
     if (damping > 0.0) add_dashpots(bonds, state.elements, damping);
     return bonds;
 }
@@ -132,10 +137,14 @@ AnyBondSet bonds_of(const State& state, const BondedBody& said, const Choice& ch
     if (said.network == model::Network::facets) {
         return facets_of<Law>(state, said, choice.damping, law::facet_moduli(moduli), law.tractions);
     }
-    const std::vector<bonding::Pair> pairs = said.network == model::Network::delaunay
-                                                 ? neighbours(*said.cells)
-                                                 : near_pairs(state, state.bodies[said.body], choice.search);
-    return pairs_of<Law>(state, said, choice.damping, pairs, law.params);
+    if constexpr (choice.facets_only) {
+        throw std::logic_error("this bond law is for facets alone");
+    } else {
+        const std::vector<bonding::Pair> pairs = said.network == model::Network::delaunay
+                                                     ? neighbours(*said.cells)
+                                                     : near_pairs(state, state.bodies[said.body], choice.search);
+        return pairs_of<Law>(state, said, choice.damping, pairs, law.params);
+    }
 }
 
 } // namespace
@@ -186,6 +195,7 @@ std::size_t cut(State& state, std::size_t body, Vec2 from, Vec2 to) {
                         crack.mode = CrackMode::notch;
                         state.cracks.push_back(crack);
                         bonds.broken[k] = 1;
+                        free_wall(bonds, k);
                         bonds.contact_length[k] = std::min(bonds.length[k], touch);
                         ++bonds.broken_count;
                         ++count;

@@ -81,6 +81,7 @@ struct FacetSet : BondTable<Law> {
     Column<law::FacetVector<double>> growth_i, growth_j; ///< of the cells of i and j with q
     Column<double> area;                                 ///< of the facet, m
     Column<double> centre;                               ///< of the facet, from the bond's line along t, m
+    double twice_shear = 0.0;                            ///< 2G b of the body, N/m
     Column<double> pressure_per_growth; ///< b lam/V of each cell, N/m^3; rows from the body's first element on
 
     // as computed in the first of the two passes of a step

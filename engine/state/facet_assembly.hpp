@@ -37,9 +37,11 @@ void find_yielding_stiffness(FacetSet<Law>& bonds) {
     for (std::size_t k = 0; k < bonds.size(); ++k) bonds.yielding.push_back(row_stiffness(bonds, grown, k));
 }
 
-/// Fills the columns of facets for bonds that have been laid out in the network's order. `swelling` is b lam, N/m.
+/// Fills the columns of facets for bonds that have been laid out in the network's order. `thickness` in m.
 template <class Law>
-void fill_facets(FacetSet<Law>& bonds, const bonding::FacetNetwork& network, double swelling) {
+void fill_facets(FacetSet<Law>& bonds, const bonding::FacetNetwork& network, const law::FacetModuli& moduli,
+                 double thickness) {
+    bonds.twice_shear = thickness * moduli.twice_shear;
     for (std::size_t k = 0; k < network.bonds.size(); ++k) {
         const bonding::FacetBond& bond = network.bonds[k];
         bonds.share_i[k] = bond.share_i;
@@ -50,7 +52,7 @@ void fill_facets(FacetSet<Law>& bonds, const bonding::FacetNetwork& network, dou
         bonds.centre.push_back(bond.whole.centre);
     }
     for (const double volume : network.volume) {
-        bonds.pressure_per_growth.push_back(volume > 0.0 ? swelling / volume : 0.0);
+        bonds.pressure_per_growth.push_back(volume > 0.0 ? thickness * moduli.lame / volume : 0.0);
     }
     bonds.motion.resize(bonds.size());
     bonds.grown_i.resize(bonds.size());

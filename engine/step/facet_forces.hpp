@@ -3,6 +3,7 @@
 // derive from the energy the ledger knows.
 #pragma once
 
+#include "engine/state/free_wall.hpp"
 #include "engine/step/bond_forces.hpp"
 
 #include <algorithm>
@@ -148,6 +149,7 @@ void facet_forces(state::FacetSet<Law>& bonds, const state::Elements& elements, 
             law::BondForce<double> moved{0.0, 0.0};
             if constexpr (Law::yields) {
                 history.work = before.work;
+                if constexpr (Law::wakes) history.damage = before.damage;
                 moved = {history.stretch - before.stretch, history.shear - before.shear};
             }
             failing.push_back({static_cast<Index>(k), breaks, borne, moved, history});
@@ -179,8 +181,8 @@ void refresh_around(state::FacetSet<Law>& bonds, const state::Elements& elements
 }
 
 /// Lets the failing facets yield and books their plastic work: the mean of the forces at both ends of the step times the
-/// plastic displacement, which is what central difference takes out of motion and network together. Returns the bonds
-/// that break, in their order.
+/// plastic displacement, which is what central difference takes out of motion and network together. Where a law breaks by
+/// the work done, that is the work booked. Returns the bonds that break, in their order.
 template <class Law>
 std::vector<Index> settle_yielding(state::FacetSet<Law>& bonds, const state::Elements& elements,
                                    const std::vector<std::vector<Failing<Law>>>& parts) {
@@ -192,7 +194,6 @@ std::vector<Index> settle_yielding(state::FacetSet<Law>& bonds, const state::Ele
         bonds.history.store(failing.bond, failing.history);
         grow_cell_sides(bonds, elements, failing.bond);
         yielded.push_back(failing.bond);
-        if (failing.breaks) breaking.push_back(failing.bond);
     }
     if constexpr (Law::yields) {
         refresh_around(bonds, elements, yielded);
@@ -200,27 +201,35 @@ std::vector<Index> settle_yielding(state::FacetSet<Law>& bonds, const state::Ele
             const std::size_t k = failing.bond;
             failing.history.work += 0.5 * ((failing.borne.normal + bonds.normal[k]) * failing.moved.normal +
                                            (failing.borne.shear + bonds.shear[k]) * failing.moved.shear);
+            if constexpr (Law::wakes) {
+                Law::wear(params_of(bonds, k), failing.history);
+                failing.breaks = Law::broken(params_of(bonds, k), 1.0, bonds.motion[k], failing.history);
+            }
             bonds.history.store(k, failing.history);
         }
+    }
+    for (const Failing<Law>& failing : all) {
+        if (failing.breaks) breaking.push_back(failing.bond);
     }
     return breaking;
 }
 
-/// Takes bond `k` out of its cells and gives the energy that they and its springs lose.
+/// Takes bond `k` out of its cells, leaves free walls there, and gives the energy that cells and springs lose.
 template <class Law>
 double let_go(state::FacetSet<Law>& bonds, const state::Elements& elements, std::size_t k) {
-    double lost = stored_energy(bonds, elements, k);
-    const auto release = [&](std::size_t element, double& grown) {
-        const std::size_t e = element - bonds.incidence.first;
-        const double per_growth = bonds.pressure_per_growth[e];
-        lost += cell_energy(bonds.pressure[e], per_growth);
-        bonds.pressure[e] -= per_growth * grown;
-        lost -= cell_energy(bonds.pressure[e], per_growth);
-        grown = 0.0;
-    };
-    release(bonds.i[k], bonds.grown_i[k]);
-    release(bonds.j[k], bonds.grown_j[k]);
-    return lost;
+    const std::size_t i = bonds.i[k] - bonds.incidence.first;
+    const std::size_t j = bonds.j[k] - bonds.incidence.first;
+    const auto energy = [&](std::size_t e) { return cell_energy(bonds.pressure[e], bonds.pressure_per_growth[e]); };
+    const double before = stored_energy(bonds, elements, k) + energy(i) + energy(j);
+    bonds.pressure[i] -= bonds.pressure_per_growth[i] * bonds.grown_i[k];
+    bonds.pressure[j] -= bonds.pressure_per_growth[j] * bonds.grown_j[k];
+    bonds.grown_i[k] = bonds.grown_j[k] = 0.0;
+    const double stiff_i = bonds.pressure_per_growth[i];
+    const double stiff_j = bonds.pressure_per_growth[j];
+    state::free_wall(bonds, k);
+    if (stiff_i > 0.0) bonds.pressure[i] *= bonds.pressure_per_growth[i] / stiff_i;
+    if (stiff_j > 0.0) bonds.pressure[j] *= bonds.pressure_per_growth[j] / stiff_j;
+    return before - energy(i) - energy(j);
 }
 
 } // namespace demlua::step

@@ -3,6 +3,7 @@
 
 #include "engine/step/bond_offsets.hpp"
 #include "engine/step/breaking.hpp"
+#include "engine/step/waking.hpp"
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -30,9 +31,12 @@ std::pair<typename Law::Params, law::ContactStiffness> params_against(const stat
 
 /// How much of what bond `k` bears now `force` takes up.
 template <class Bonds>
-double share_of_strength(const Bonds& bonds, std::size_t k, law::BondForce<double> force) {
+double share_of_strength(const Bonds& bonds, const state::Elements& elements, std::size_t k,
+                         law::BondForce<double> force) {
     using Law = typename Bonds::law;
-    if constexpr (Law::breaks) {
+    if constexpr (Law::wakes) {
+        return share_of_waking(bonds, elements, k);
+    } else if constexpr (Law::breaks) {
         const auto caps = Law::caps(params_of(bonds, k), law_radius(bonds, k), bonds.history.at(k));
         return std::max(force.normal / caps.normal, std::fabs(force.shear) / caps.shear);
     }
@@ -86,8 +90,8 @@ public:
     using History = typename Bonds::History;
 
     /// `contact` is what a broken bond turns into.
-    FailingBondsOf(Bonds& bonds, const law::Coulomb::Params& contact)
-        : bonds_(bonds), network_(bonds), contact_(contact), row_of_(bonds.size(), none) {}
+    FailingBondsOf(Bonds& bonds, const state::Elements& elements, const law::Coulomb::Params& contact)
+        : bonds_(bonds), elements_(elements), network_(bonds), contact_(contact), row_of_(bonds.size(), none) {}
 
     [[nodiscard]] std::size_t bonds() const override { return bonds_.size(); }
 
@@ -106,11 +110,17 @@ public:
     void measure(const Eigen::VectorXd& u) override {
         force_ = network_forces(network_, u);
         for (const Row& row : rows_) add_offset(row);
+        if constexpr (Law::wakes) {
+            for (std::size_t k = 0; k < force_.size(); ++k) {
+                network_.normal[k] = force_[k][0];
+                network_.shear[k] = force_[k][1];
+            }
+        }
     }
 
     [[nodiscard]] double use(std::size_t k) const override {
         if (network_.is_broken(k) || row_of_[k] != none) return 0.0;
-        return share_of_strength(network_, k, {force_[k][0], force_[k][1]});
+        return share_of_strength(network_, elements_, k, {force_[k][0], force_[k][1]});
     }
 
     [[nodiscard]] ElementForces offset_forces(std::size_t k, Eigen::Vector2d w) const override {
@@ -125,6 +135,9 @@ public:
         row.bond = k;
         row.history = bonds_.history.at(k);
         if constexpr (Law::yields) row.offset = {row.history.stretch, row.history.shear};
+        if constexpr (Law::wakes) {
+            if (row.history.cap == 0.0) row.history.cap = Law::pull({force_[k][0], force_[k][1]});
+        }
         row.strength = std::max(std::fabs(force_[k][0]), std::fabs(force_[k][1]));
         row_of_[k] = rows_.size();
         rows_.push_back(row);
@@ -232,6 +245,7 @@ private:
     }
 
     Bonds& bonds_;
+    const state::Elements& elements_;
     Bonds network_; ///< as it was factorised
     law::Coulomb::Params contact_;
     std::vector<std::size_t> row_of_;

@@ -28,7 +28,7 @@ std::vector<std::unique_ptr<FailingBonds>> failing_sets(state::State& state) {
             [&](auto& bonds) {
                 const std::size_t material = state.bodies[bonds.body].material;
                 sets.push_back(std::make_unique<FailingBondsOf<std::decay_t<decltype(bonds)>>>(
-                    bonds, state.contacts.rules[material * state.contacts.materials + material].params));
+                    bonds, state.elements, state.contacts.rules[material * state.contacts.materials + material].params));
             },
             any);
     }

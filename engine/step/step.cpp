@@ -6,6 +6,7 @@
 #include "engine/step/loads.hpp"
 #include "engine/step/motion.hpp"
 #include "engine/step/pair_sums.hpp"
+#include "engine/step/waking.hpp"
 #include "engine/step/wall_parts.hpp"
 
 #include <chrono>
@@ -56,6 +57,9 @@ void compute_bonds(state::State& state, Stepper& stepper, state::FacetSet<Law>& 
         settle_broken(state, bonds, breaking, contacts);
         if (!breaking.empty()) refresh_around(bonds, state.elements, breaking);
         append_contacts(state, stepper.search, contacts);
+    }
+    if constexpr (Law::wakes) {
+        stepper.team.share(bonds.size(), [&](Share part) { wake_facets(bonds, state.elements, part); });
     }
     add_pair_forces(bonds, state.elements, stepper.team);
 }
