@@ -99,7 +99,7 @@ observe::RunReport RunHost::run(const model::Scene& scene, const RunRequest& req
         const EffortMeter meter(effort_, *simulation_);
         Progress progress(terminal_, *simulation_, request.duration);
         const std::vector<observe::Watcher> looking = watchers(request, progress);
-        last_report_ = request.rest ? simulation_->solve_static(*request.rest, looking)
+        last_report_ = request.rest     ? simulation_->solve_static(*request.rest, looking)
                        : request.slowly ? simulation_->run_quasi_static(*request.slowly, looking, &interrupted_)
                                         : simulation_->run(request.duration, looking, &interrupted_);
     }

@@ -207,19 +207,19 @@ const WordOf<BondBreakSaid>& on_bond_break() {
 }
 
 const WordOf<RunSaid>& run() {
-    static const WordOf<RunSaid> made =
-        word<RunSaid>("sim:run",
-                      "Runs the simulation on from where it stands. The lines after it see what came of it and may "
-                      "change the model before the next run.",
-                      "a report with the fields ending, reason and steps", "sim:run { duration = 6e-3 }",
-                      {row<&RunSaid::duration>("duration", "s", required, positive, "how long"),
-                       choice<&RunSaid::driver, driver_names>(
-                           "driver",
-                           R"("dynamic": steps of motion; "quasi-static": from rest to rest, as if the loads grew slowly, for bonded bodies without walls, rigid bodies or contacts; the run ends early, with the reason, where there is no rest beyond: the time is then that of the last rest)"),
-                       row<&RunSaid::runs_after>(
-                           "runs_after", "", optional, positive,
-                           "quasi-static: bonds broken one after another while the load stands still, after which "
-                           "there is said to be no rest")});
+    static const WordOf<RunSaid> made = word<RunSaid>(
+        "sim:run",
+        "Runs the simulation on from where it stands. The lines after it see what came of it and may "
+        "change the model before the next run.",
+        "a report with the fields ending, reason and steps", "sim:run { duration = 6e-3 }",
+        {row<&RunSaid::duration>("duration", "s", required, positive, "how long"),
+         choice<&RunSaid::driver, driver_names>(
+             "driver",
+             R"("dynamic": steps of motion; "quasi-static": from rest to rest, as if the loads grew slowly, for bonded bodies without walls, rigid bodies or contacts; the run ends early, with the reason, where there is no rest beyond: the time is then that of the last rest)"),
+         row<&RunSaid::runs_after>(
+             "runs_after", "", optional, positive,
+             "quasi-static: bonds broken one after another while the load stands still, after which "
+             "there is said to be no rest")});
     return made;
 }
 

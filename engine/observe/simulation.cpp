@@ -10,8 +10,8 @@
 #include "engine/state/loading.hpp"
 #include "engine/state/parts.hpp"
 #include "engine/state/selection.hpp"
-#include "engine/step/real_moduli.hpp"
 #include "engine/step/quasi_static.hpp"
+#include "engine/step/real_moduli.hpp"
 #include "engine/step/static_solve.hpp"
 #include "engine/step/step.hpp"
 #include "engine/step/time_step.hpp"
@@ -352,8 +352,8 @@ RunReport Simulation::solve_static(const model::StaticSolve& said, const std::ve
     return report;
 }
 
-RunReport Simulation::run_until(double end, const std::vector<Watcher>& watchers,
-                                const std::atomic<bool>* interrupted, const std::function<bool(double)>& go) {
+RunReport Simulation::run_until(double end, const std::vector<Watcher>& watchers, const std::atomic<bool>* interrupted,
+                                const std::function<bool(double)>& go) {
     const double begin = state_->time;
     const std::uint64_t first_step = state_->step;
     const double tolerance = 1e-6 * state_->dt;

@@ -37,10 +37,10 @@ void refuse_floating(const state::State& state, const Held& held, const RestAske
     std::vector<Problem> problems;
     for (const std::vector<std::size_t>& part : floating_parts(state, held)) {
         if (problems.size() == most_told) break;
-        problems.push_back({asked.place, asked.word, "",
-                            fmt::format("{} {} held by nothing", state::name_elements(state, part),
-                                        part.size() == 1 ? "is" : "are"),
-                            "hold what may not move with sim:fix"});
+        problems.push_back(
+            {asked.place, asked.word, "",
+             fmt::format("{} {} held by nothing", state::name_elements(state, part), part.size() == 1 ? "is" : "are"),
+             "hold what may not move with sim:fix"});
     }
     if (!problems.empty()) throw SceneError(std::move(problems));
 }

@@ -23,7 +23,7 @@ state::ContactHistory inherited(const law::Coulomb::Params& contact, double over
 
 /// Takes bond `k` out of the energy of its set and gives what is lost, J.
 template <class Law>
-double let_go(const state::BondSet<Law>& bonds, const state::Elements& elements, std::size_t k) {
+double let_go(const state::BondSet<Law>& bonds, const state::Elements& elements, std::size_t k, double /*dt*/) {
     return stored_energy(bonds, elements, k);
 }
 
@@ -84,8 +84,8 @@ void settle_broken(state::State& state, Bonds& bonds, const std::vector<Index>& 
             // The step that led here moved under the mean of the forces at its ends, not under the bond's alone.
             const double moved_by_less =
                 0.5 * state.dt * ((force.normal - kept.normal) * rate.normal + (force.shear - kept.shear) * rate.shear);
-            const double lost =
-                let_go(bonds, elements, k) - law::Coulomb::stored_energy(contact, overlap, settled) - moved_by_less;
+            const double lost = let_go(bonds, elements, k, state.dt) -
+                                law::Coulomb::stored_energy(contact, overlap, settled) - moved_by_less;
             bonds.fracture_work += lost;
             state::Crack crack = state::crack_of(bonds, elements, k, state.time, state.step);
             crack.mode = crack_mode(params_of(bonds, k), motion);

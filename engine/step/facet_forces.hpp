@@ -7,6 +7,7 @@
 #include "engine/step/bond_forces.hpp"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace demlua::step {
@@ -214,22 +215,50 @@ std::vector<Index> settle_yielding(state::FacetSet<Law>& bonds, const state::Ele
     return breaking;
 }
 
-/// Takes bond `k` out of its cells, leaves free walls there, and gives the energy that cells and springs lose.
+/// How fast the cell of `element` grows with all its bonds but `k`, m^2/s.
 template <class Law>
-double let_go(state::FacetSet<Law>& bonds, const state::Elements& elements, std::size_t k) {
-    const std::size_t i = bonds.i[k] - bonds.incidence.first;
-    const std::size_t j = bonds.j[k] - bonds.incidence.first;
-    const auto energy = [&](std::size_t e) { return cell_energy(bonds.pressure[e], bonds.pressure_per_growth[e]); };
-    const double before = stored_energy(bonds, elements, k) + energy(i) + energy(j);
-    bonds.pressure[i] -= bonds.pressure_per_growth[i] * bonds.grown_i[k];
-    bonds.pressure[j] -= bonds.pressure_per_growth[j] * bonds.grown_j[k];
+double growth_rate_without(const state::FacetSet<Law>& bonds, const state::Elements& elements, Index element,
+                           std::size_t k) {
+    const state::Incidence& incidence = bonds.incidence;
+    const std::size_t e = element - incidence.first;
+    double rate = 0.0;
+    for (Index entry = incidence.start[e]; entry < incidence.start[e + 1]; ++entry) {
+        const std::size_t m = incidence.end[entry] / 2;
+        if (m == k || bonds.is_broken(m)) continue;
+        const law::BondForce<double> speed = rates_of(bonds, elements, m, bonds.motion[m]);
+        const double turning = elements.spin[bonds.j[m]] - elements.spin[bonds.i[m]];
+        const bool is_j = (incidence.end[entry] & 1U) != 0;
+        rate += dot(is_j ? bonds.growth_j[m] : bonds.growth_i[m],
+                    law::FacetVector<double>{speed.normal, speed.shear, turning});
+    }
+    return rate;
+}
+
+/// Takes bond `k` out of its cells, leaves free walls there, and gives the energy that cells and springs lose: less what
+/// the step that led here did not move under, since its forces count as the mean of those at both ends.
+template <class Law>
+double let_go(state::FacetSet<Law>& bonds, const state::Elements& elements, std::size_t k, double dt) {
+    const std::array<Index, 2> sides{bonds.i[k], bonds.j[k]};
+    const std::array<double, 2> grown{bonds.grown_i[k], bonds.grown_j[k]};
+    std::array<double, 2> stiff{};
+    std::array<double, 2> pressure{};
+    double lost = stored_energy(bonds, elements, k);
+    for (std::size_t side = 0; side < 2; ++side) {
+        const std::size_t e = sides[side] - bonds.incidence.first;
+        stiff[side] = bonds.pressure_per_growth[e];
+        pressure[side] = bonds.pressure[e];
+    }
     bonds.grown_i[k] = bonds.grown_j[k] = 0.0;
-    const double stiff_i = bonds.pressure_per_growth[i];
-    const double stiff_j = bonds.pressure_per_growth[j];
     state::free_wall(bonds, k);
-    if (stiff_i > 0.0) bonds.pressure[i] *= bonds.pressure_per_growth[i] / stiff_i;
-    if (stiff_j > 0.0) bonds.pressure[j] *= bonds.pressure_per_growth[j] / stiff_j;
-    return before - energy(i) - energy(j);
+    for (std::size_t side = 0; side < 2; ++side) {
+        if (stiff[side] == 0.0) continue;
+        const std::size_t e = sides[side] - bonds.incidence.first;
+        const double now = bonds.pressure_per_growth[e];
+        bonds.pressure[e] = now * (pressure[side] / stiff[side] - grown[side]);
+        lost += cell_energy(pressure[side], stiff[side]) - cell_energy(bonds.pressure[e], now);
+        lost -= 0.5 * dt * (pressure[side] - bonds.pressure[e]) * growth_rate_without(bonds, elements, sides[side], k);
+    }
+    return lost;
 }
 
 } // namespace demlua::step

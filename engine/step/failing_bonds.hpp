@@ -17,9 +17,8 @@ namespace demlua::step {
 /// The law's parameters where bond `k` gives way against a stiffness, and the stiffness they are for: facets are told the
 /// one they meet, pairs know their own.
 template <class Law>
-std::pair<typename Law::Params, law::ContactStiffness> params_against(const state::BondSet<Law>& bonds,
-                                                                      std::size_t /*k*/,
-                                                                      law::ContactStiffness /*met*/) {
+std::pair<typename Law::Params, law::ContactStiffness>
+params_against(const state::BondSet<Law>& bonds, std::size_t /*k*/, law::ContactStiffness /*met*/) {
     return {bonds.params, {bonds.params.Kn, bonds.params.Kt}};
 }
 
@@ -154,8 +153,7 @@ public:
 
     Eigen::Vector2d give_way(std::size_t number, Eigen::Vector2d force, Eigen::Vector2d stiffness) override {
         Row& row = rows_[number];
-        const Eigen::Vector2d moved =
-            row.broken ? part(row, force, stiffness) : yield(row, force, stiffness);
+        const Eigen::Vector2d moved = row.broken ? part(row, force, stiffness) : yield(row, force, stiffness);
         row.offset += moved;
         return moved;
     }
@@ -192,9 +190,9 @@ private:
         Eigen::Vector2d offset = Eigen::Vector2d::Zero();
         double strength = 0.0;
         bool broken = false;
-        bool settled = false;   ///< broken in the set as well
-        double closed = 0.0;    ///< normal offset at which the faces of a broken bond touch, m
-        double released = 0.0;  ///< stored in the bond when it broke, J
+        bool settled = false;  ///< broken in the set as well
+        double closed = 0.0;   ///< normal offset at which the faces of a broken bond touch, m
+        double released = 0.0; ///< stored in the bond when it broke, J
     };
 
     /// By the law of the bond while it holds.

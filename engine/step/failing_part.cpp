@@ -28,9 +28,10 @@ void FailingPart::add(FailingBonds& set, std::size_t bond) {
     const auto mine = static_cast<Eigen::Index>(2 * members_.size());
     if (mine + 2 > B_.rows()) B_.conservativeResize(2 * mine + 32, 2 * mine + 32);
     const std::size_t row = set.add_row(bond);
-    members_.push_back({&set, row,
-                        {set.offset_forces(bond, Eigen::Vector2d::UnitX()),
-                         set.offset_forces(bond, Eigen::Vector2d::UnitY())}});
+    members_.push_back(
+        {&set,
+         row,
+         {set.offset_forces(bond, Eigen::Vector2d::UnitX()), set.offset_forces(bond, Eigen::Vector2d::UnitY())}});
     for (const Eigen::Index c : {0, 1}) {
         const Eigen::VectorXd u = response(members_.back().forces[static_cast<std::size_t>(c)]);
         for (std::size_t n = 0; n < members_.size(); ++n) {
@@ -89,8 +90,6 @@ Eigen::VectorXd FailingPart::displacements() const {
     return system_.solve(right, Eigen::VectorXd::Zero(right.size())).cwiseProduct(per_radius_);
 }
 
-double FailingPart::largest_offset() const {
-    return members_.empty() ? 0.0 : offsets().cwiseAbs().maxCoeff();
-}
+double FailingPart::largest_offset() const { return members_.empty() ? 0.0 : offsets().cwiseAbs().maxCoeff(); }
 
 } // namespace demlua::step

@@ -20,7 +20,8 @@ namespace demlua::step {
 class FailingPart {
 public:
     /// `system` and `per_radius` (1, 1, 1/R of each element: rotation = value/R) outlive this.
-    FailingPart(const HeldSystem& system, const Eigen::VectorXd& per_radius) : system_(system), per_radius_(per_radius) {}
+    FailingPart(const HeldSystem& system, const Eigen::VectorXd& per_radius)
+        : system_(system), per_radius_(per_radius) {}
 
     void add(FailingBonds& set, std::size_t bond);
     [[nodiscard]] std::size_t size() const { return members_.size(); }

@@ -15,11 +15,11 @@ namespace demlua::step {
 
 namespace {
 
-constexpr double overshoot = 0.005;     ///< by which a bond may exceed its strength before it is let fail
-constexpr double together = 0.98;       ///< bonds within this share of the nearest to failing fail at once
-constexpr int most_sweeps = 20000;      ///< in search of one rest
+constexpr double overshoot = 0.005;      ///< by which a bond may exceed its strength before it is let fail
+constexpr double together = 0.98;        ///< bonds within this share of the nearest to failing fail at once
+constexpr int most_sweeps = 20000;       ///< in search of one rest
 constexpr double greatest_opening = 0.1; ///< of an element's radius; beyond, displacements are not small
-constexpr double least_share = 1e-5;    ///< of the run's duration, the shortest way from rest to rest
+constexpr double least_share = 1e-5;     ///< of the run's duration, the shortest way from rest to rest
 
 std::vector<std::unique_ptr<FailingBonds>> failing_sets(state::State& state) {
     std::vector<std::unique_ptr<FailingBonds>> sets;
@@ -28,7 +28,8 @@ std::vector<std::unique_ptr<FailingBonds>> failing_sets(state::State& state) {
             [&](auto& bonds) {
                 const std::size_t material = state.bodies[bonds.body].material;
                 sets.push_back(std::make_unique<FailingBondsOf<std::decay_t<decltype(bonds)>>>(
-                    bonds, state.elements, state.contacts.rules[material * state.contacts.materials + material].params));
+                    bonds, state.elements,
+                    state.contacts.rules[material * state.contacts.materials + material].params));
             },
             any);
     }
@@ -81,8 +82,7 @@ QuasiStatic::Trial QuasiStatic::settle(double time) {
             if (held.is[static_cast<std::size_t>(row + f)] != 0) given[row + f] += stands[f];
         }
     }
-    const Eigen::VectorXd loaded =
-        system_->solve(outer, given.cwiseQuotient(per_radius_)).cwiseProduct(per_radius_);
+    const Eigen::VectorXd loaded = system_->solve(outer, given.cwiseQuotient(per_radius_)).cwiseProduct(per_radius_);
     Trial trial;
     trial.left = part_->relax(loaded, said_.tolerance, most_sweeps);
     displacements_ = loaded + part_->displacements();
