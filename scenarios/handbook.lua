@@ -26,7 +26,8 @@ function handbook.centre_crack(share) return (1 - 0.025 * share ^ 2 + 0.06 * sha
 
 -- Cracks of length a from both edges; share = 2 a / width.
 function handbook.double_edge_crack(share)
-  return (1.122 - 0.561 * share - 0.205 * share ^ 2 + 0.471 * share ^ 3 - 0.190 * share ^ 4) / sqrt(1 - share)
+  local turn = pi * share / 2
+  return (1 + 0.122 * cos(turn) ^ 4) * sqrt(math.tan(turn) / turn)
 end
 
 -- Three-point bend, span 4 W; share = a / W; the stress is 6 M / W^2 with M = P W.
