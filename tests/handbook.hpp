@@ -22,7 +22,7 @@ inline double edge_crack_polynomial(double share) {
     return 1.12 + share * (-0.23 + share * (10.6 + share * (-21.7 + share * 30.4)));
 }
 
-/// The same within 0.5 % for every share (Tada 1973).
+/// The same within 0.6 % for every share (Tada 1973, where it is 0.5 %).
 inline double edge_crack(double share) {
     const double turn = 0.5 * pi * share;
     return std::sqrt(std::tan(turn) / turn) * (0.752 + 2.02 * share + 0.37 * std::pow(1.0 - std::sin(turn), 3)) /

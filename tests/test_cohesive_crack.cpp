@@ -48,11 +48,8 @@ double effective_growth(const Ligament& ligament, double peak) {
 TEST_CASE("cohesive crack: a bar without a notch yields at its strength") {
     const NotchedBody bar{.width = 4.0, .half_height = 8.0};
     const double at_first_yield = 2.0;
-    const Ligament ligament = test::condense(bar, coarse);
-    for (const Softening shape : {Softening::linear, Softening::plateau}) {
-        const double load = test::grow(ligament, shape, at_first_yield).front().load;
-        CHECK(load == Approx(1.0).epsilon(1e-9));
-    }
+    const std::vector<Growth> states = test::grow(test::condense(bar, coarse), Softening::linear, at_first_yield);
+    CHECK(states.front().load == Approx(1.0).epsilon(1e-9));
 }
 
 TEST_CASE("cohesive crack: handbook stress intensities by energy release") {
