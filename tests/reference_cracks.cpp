@@ -92,8 +92,10 @@ std::vector<ReferenceCase> crack_cases() {
             }
         }
     }
-    for (const double share : {0.3, 0.5}) {
-        cases.push_back(crack(bend_family, 25.0, share));
+    for (const double c : {25.0, 50.0, 100.0}) {
+        for (const double share : {0.3, 0.5}) {
+            cases.push_back(crack(bend_family, c, share));
+        }
     }
     return cases;
 }
