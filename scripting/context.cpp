@@ -66,11 +66,11 @@ std::string text_of_file(const std::filesystem::path& path) {
 
 } // namespace
 
-void Context::run_file(const std::filesystem::path& name, const std::map<std::string, Plain>& values) {
+void Context::run_file(const std::filesystem::path& name, const std::map<std::string, Plain>& values, int results) {
     files.push_back({name, text_of_file(name)});
     interpreter->load(interpreter->L, files.back().text, name.string());
     inclusions.push_back({name, values});
-    interpreter->call(interpreter->L, 0, 0);
+    interpreter->call(interpreter->L, 0, results);
     inclusions.pop_back();
 }
 

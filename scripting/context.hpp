@@ -126,8 +126,9 @@ struct Context {
     /// Throws SceneError with all problems, if there are any.
     void throw_problems() const;
 
-    /// Runs the file `name` (as messages call it) with its parameters as `values` have them. Throws SceneError.
-    void run_file(const std::filesystem::path& name, const std::map<std::string, Plain>& values);
+    /// Runs the file `name` (as messages call it) with its parameters as `values` have them, and leaves as many of the
+    /// values it returns on the stack. Throws SceneError.
+    void run_file(const std::filesystem::path& name, const std::map<std::string, Plain>& values, int results = 0);
 };
 
 } // namespace demlua::scripting

@@ -158,7 +158,7 @@ local sim = {}
 ---@class dem
 local dem = {}
 ---@param file string
----@return fun(parameters: table)
+---@return fun(parameters: table): any
 function dem.include(file) end
 ---@param law string
 ---@return fun(settings: table): dem.bonds

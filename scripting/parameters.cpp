@@ -203,7 +203,7 @@ std::map<std::string, Plain> values_of(const Call& call, int table) {
     return values;
 }
 
-/// dem.include "file" gives this function, which takes the table of parameters.
+/// dem.include "file" gives this function, which takes the table of parameters and gives what the file returns.
 int included_with(lua_State* L) {
     Context& context = Context::of(L);
     const Call call(L, "include");
@@ -216,7 +216,7 @@ int included_with(lua_State* L) {
         call.complain("include", '"' + file + '"', "no such file", "", Cause::wording);
         return 0;
     }
-    context.run_file(path, values);
+    context.run_file(path, values, 1);
     std::vector<std::string> declared;
     for (std::size_t k = before; k < context.parameters.size(); ++k) declared.push_back(context.parameters[k].name);
     for (const auto& [name, value] : values) {
@@ -224,7 +224,7 @@ int included_with(lua_State* L) {
         call.complain("include." + name, "", "is not a parameter of " + file, did_you_mean(name, declared),
                       Cause::wording);
     }
-    return 0;
+    return 1;
 }
 
 int include(lua_State* L) {

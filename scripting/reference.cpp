@@ -136,7 +136,7 @@ the next. Bodies and walls must stand before the first run. `sim:history`, `sim:
 `sim:on_bond_break` stay in force and add up.
 
 **Including**: `dem.include "other.lua" { speed = 20 }` runs another scene, whose path is taken from the file's own folder,
-with other defaults for its parameters.
+with other defaults for its parameters, and gives what that file returns: `dem.include "handbook.lua" {}` gives formulas.
 
 **Studies**: `dem.study` says which parameters `demlua study FILE.lua` varies, which result it measures and what that should
 be. Each combination is a run of its own with its own folder below `FILE.study`. The varied number (or the one that `size`

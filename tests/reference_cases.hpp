@@ -31,6 +31,9 @@ struct ReferenceCase {
 /// Cantilevers, straight and slanted; bars under uniform tension across the axes.
 std::vector<ReferenceCase> bar_cases();
 
+/// Notched bodies with a cohesive zone; minutes for all of them.
+std::vector<ReferenceCase> crack_cases();
+
 /// A ring and a disc squeezed across a diameter.
 std::vector<ReferenceCase> round_cases();
 

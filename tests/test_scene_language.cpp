@@ -140,6 +140,15 @@ TEST_CASE("a scene includes another with other parameters", "[scene]") {
     CHECK(std::get<double>(summary.parameters[0].fallback) == 3.0);
 }
 
+TEST_CASE("an included file gives what it returns", "[scene]") {
+    const std::string file = (source_folder / "scenarios/handbook.lua").string();
+    const SceneSummary summary = checked("local handbook = dem.include \"" + file + R"(" {}
+local p = dem.param { whole = { handbook.transition_length(2, 1) * math.pi } }
+local sim = dem.simulation {}
+)");
+    CHECK(std::get<double>(summary.parameters[0].fallback) == Catch::Approx(4.0));
+}
+
 TEST_CASE("runs are recorded as they are asked for", "[scene]") {
     const SceneSummary summary = checked(stone + R"(
 sim:output { every = 0.5 }
