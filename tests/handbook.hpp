@@ -1,4 +1,4 @@
-// Closed forms of fracture that the engine is compared with. scenarios/handbook.lua holds the same for scenes.
+// Closed forms of fracture that the engine is compared with. scenarios/shared/handbook.lua holds the same for scenes.
 //
 // Sources: Tada, Paris & Irwin, The Stress Analysis of Cracks Handbook, 3rd ed. (2000); Murakami, Stress Intensity Factors
 // Handbook (1987); Srawley, Int. J. Fracture 12 (1976) 475, in ASTM E399; Erdogan & Sih, J. Basic Eng. 85 (1963) 519;

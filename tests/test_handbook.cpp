@@ -80,7 +80,7 @@ TEST_CASE("handbook: the disc's tension is that of the series, the spall keeps t
     CHECK(ramp.thickness * ramp.speed * impedance == Approx(2.0 * ramp.thickness * mean));
 }
 
-TEST_CASE("handbook: scenarios/handbook.lua says the same", "[scene]") {
+TEST_CASE("handbook: scenarios/shared/handbook.lua says the same", "[scene]") {
     struct Row {
         const char* lua;
         double value;
@@ -111,7 +111,7 @@ TEST_CASE("handbook: scenarios/handbook.lua says the same", "[scene]") {
         {"transition_length(select(2, handbook.spall_of_ramp(3, 0.2, 7, 1.25)), 1)",
          handbook::transition_length(ramp.speed, 1.0)}};
     std::string text =
-        "local handbook = dem.include \"" + (test::source_folder / "scenarios/handbook.lua").string() + "\" {}\n";
+        "local handbook = dem.include \"" + (test::source_folder / "scenarios/shared/handbook.lua").string() + "\" {}\n";
     for (std::size_t n = 0; n < rows.size(); ++n) {
         text += fmt::format("dem.param {{ p{} = (handbook.{}) }}\n", n, rows[n].lua);
     }

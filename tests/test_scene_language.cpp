@@ -141,7 +141,7 @@ TEST_CASE("a scene includes another with other parameters", "[scene]") {
 }
 
 TEST_CASE("an included file gives what it returns", "[scene]") {
-    const std::string file = (source_folder / "scenarios/handbook.lua").string();
+    const std::string file = (source_folder / "scenarios/shared/handbook.lua").string();
     const SceneSummary summary = checked("local handbook = dem.include \"" + file + R"(" {}
 local p = dem.param { whole = { handbook.transition_length(2, 1) * math.pi } }
 local sim = dem.simulation {}

@@ -17,9 +17,9 @@ namespace {
 
 constexpr double overshoot = 0.005;      ///< by which a bond may exceed its strength before it is let fail
 constexpr double together = 0.98;        ///< bonds within this share of the nearest to failing fail at once
-constexpr int most_sweeps = 20000;       ///< in search of one rest
+constexpr int most_sweeps = 3000;       ///< in search of one rest
 constexpr double greatest_opening = 0.1; ///< of an element's radius; beyond, displacements are not small
-constexpr double least_share = 1e-5;     ///< of the run's duration, the shortest way from rest to rest
+constexpr double least_share = 1e-4;     ///< of the run's duration, the shortest way from rest to rest
 
 std::vector<std::unique_ptr<FailingBonds>> failing_sets(state::State& state) {
     std::vector<std::unique_ptr<FailingBonds>> sets;
@@ -143,7 +143,7 @@ bool QuasiStatic::advance(double until) {
         const double ahead = time - at_;
         const Trial trial = settle(time);
         const bool beyond = trial.use > 1.0 + overshoot || trial.left > said_.tolerance;
-        if (!beyond || ahead <= shortest) {
+        if (!beyond || ahead <= 1.01 * shortest) {
             if (!follow(time, trial)) return false;
             const double rise = (trial.use - use_) / ahead;
             const double reach = rise > 0.0 ? (1.0 + 0.5 * overshoot - use_) / rise : 2.0 * ahead_;
@@ -151,7 +151,9 @@ bool QuasiStatic::advance(double until) {
             return true;
         }
         for (const std::unique_ptr<FailingBonds>& set : sets_) set->restore();
-        const double to_strength = (1.0 + 0.5 * overshoot - use_) / (trial.use - use_) * ahead;
+        const double to_strength = trial.left > said_.tolerance
+                                       ? 0.3 * ahead
+                                       : (1.0 + 0.5 * overshoot - use_) / (trial.use - use_) * ahead;
         ahead_ = std::clamp(to_strength, 0.1 * ahead, 0.7 * ahead);
         ahead_ = std::max(ahead_, shortest);
     }
