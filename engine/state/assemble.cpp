@@ -226,14 +226,30 @@ std::string describe(const State& state, std::size_t body, std::optional<model::
         *bonds);
 }
 
-/// Mean radius of the elements of a body's largest bond, or its length where facets hold the body, m.
-double largest_bond(const AnyBondSet& any, model::Network network) {
+/// Least and greatest mean radius of the elements of a body's bonds, or length of these where facets hold the body, m.
+std::pair<double, double> bond_sizes(const AnyBondSet& any, model::Network network) {
     return std::visit(
-        [&](const auto& bonds) {
+        [&](const auto& bonds) -> std::pair<double, double> {
             const Column<double>& size = network == model::Network::facets ? bonds.length : bonds.radius;
-            return *std::max_element(size.begin(), size.end());
+            const auto [least, greatest] = std::minmax_element(size.begin(), size.end());
+            return {*least, *greatest};
         },
         any);
+}
+
+/// A body none of whose bonds can run the course of their law is a problem; one that is too coarse in places, as a graded
+/// pack may be where nothing is to break, is told of.
+void look_at_sizes(const model::Scene& scene, const model::Body& said, model::Network network, const AnyBondSet& bonds,
+                   std::vector<Problem>& problems, std::vector<std::string>& notes) {
+    const auto [least, greatest] = bond_sizes(bonds, network);
+    const std::optional<Problem> problem = model::unresolved_bonds(scene, said, network, greatest);
+    if (!problem) return;
+    if (model::unresolved_bonds(scene, said, network, least)) {
+        problems.push_back(*problem);
+    } else {
+        notes.push_back(fmt::format("warning: {} is too coarse to break in places: {} {}; {}", said.name,
+                                    problem->value, problem->rule, problem->hint));
+    }
 }
 
 } // namespace
@@ -286,8 +302,7 @@ Assembly assemble(const model::Scene& scene, const packing::PackStore* packs) {
             bonds = bond_body(state, body, said.bonds, scene.materials[said.material], scene.plane);
         }
         if (bonds) {
-            const double size = largest_bond(*bonds, *network);
-            if (auto problem = model::unresolved_bonds(scene, said, *network, size)) problems.push_back(*problem);
+            look_at_sizes(scene, said, *network, *bonds, problems, assembly.notes);
         }
         assembly.notes.push_back(describe(state, row, network, bonds ? &*bonds : nullptr));
         if (bonds) state.bond_sets.push_back(std::move(*bonds));

@@ -42,6 +42,12 @@ double share_of_strength(const Bonds& bonds, const state::Elements& elements, st
     return 0.0;
 }
 
+/// What a bond did under a force it could not bear.
+struct GivenWay {
+    Eigen::Vector2d moved = Eigen::Vector2d::Zero(); ///< new part of its offset, m
+    double beyond = 0.0;                             ///< force that was more than it could bear, N
+};
+
 /// One bond that has failed in some way: its offset w (bond_offsets.hpp) since bonding and what its law remembers.
 class FailingBonds {
 public:
@@ -72,9 +78,9 @@ public:
     /// A force that is large for this bond, N.
     [[nodiscard]] virtual double strength(std::size_t row) const = 0;
     [[nodiscard]] virtual std::size_t broken_rows() const = 0;
-    /// Lets the bond of `row` give way under `force` (N), where an offset w meets `stiffness` (N/m, normal and shear), by
-    /// its law; gives the new part of its offset, m.
-    virtual Eigen::Vector2d give_way(std::size_t row, Eigen::Vector2d force, Eigen::Vector2d stiffness) = 0;
+    /// Lets the bond of `row` give way under `force` (N), where an offset w meets `stiffness` (N/m, normal and shear;
+    /// positive), by its law.
+    virtual GivenWay give_way(std::size_t row, Eigen::Vector2d force, Eigen::Vector2d stiffness) = 0;
     /// Rows as they are now come back with `restore`; rows added since are lost.
     virtual void keep() = 0;
     virtual void restore() = 0;
@@ -151,15 +157,18 @@ public:
             std::count_if(rows_.begin(), rows_.end(), [](const Row& row) { return row.broken; }));
     }
 
-    Eigen::Vector2d give_way(std::size_t number, Eigen::Vector2d force, Eigen::Vector2d stiffness) override {
+    GivenWay give_way(std::size_t number, Eigen::Vector2d force, Eigen::Vector2d stiffness) override {
         Row& row = rows_[number];
-        const Eigen::Vector2d moved = row.broken ? part(row, force, stiffness) : yield(row, force, stiffness);
-        row.offset += moved;
-        return moved;
+        const GivenWay given = row.broken ? part(row, force, stiffness) : yield(row, force, stiffness);
+        row.offset += given.moved;
+        return given;
     }
 
     void keep() override { kept_ = rows_; }
-    void restore() override { rows_ = kept_; }
+    void restore() override {
+        for (std::size_t n = kept_.size(); n < rows_.size(); ++n) row_of_[rows_[n].bond] = none;
+        rows_ = kept_;
+    }
 
     void settle(state::State& state, std::vector<NewContact>& contacts) override {
         std::vector<Index> breaking;
@@ -196,7 +205,7 @@ private:
     };
 
     /// By the law of the bond while it holds.
-    Eigen::Vector2d yield(Row& row, Eigen::Vector2d force, Eigen::Vector2d stiffness) {
+    GivenWay yield(Row& row, Eigen::Vector2d force, Eigen::Vector2d stiffness) {
         if constexpr (Law::breaks) {
             const auto [params, met] = params_against(network_, row.bond, {stiffness[0], stiffness[1]});
             const double radius = law_radius(network_, row.bond);
@@ -210,28 +219,30 @@ private:
             }
             Law::respond(params, radius, motion, history);
             row.broken = Law::broken(params, radius, motion, history);
-            Eigen::Vector2d moved = Eigen::Vector2d::Zero();
+            GivenWay given;
             if constexpr (Law::yields) {
-                moved = {history.stretch - row.history.stretch, history.shear - row.history.shear};
+                given.moved = {history.stretch - row.history.stretch, history.shear - row.history.shear};
+                given.beyond = std::hypot(met.normal * given.moved[0], met.shear * given.moved[1]);
             } else if (row.broken) {
+                given.beyond = force.norm();
                 row.released = 0.5 * force.cwiseAbs2().cwiseQuotient(stiffness.cwiseMax(1e-300)).sum();
             }
             row.history = history;
-            if (row.broken) row.closed = row.offset[0] + moved[0];
-            return moved;
+            if (row.broken) row.closed = row.offset[0] + given.moved[0];
+            return given;
         }
-        return Eigen::Vector2d::Zero();
+        return {};
     }
 
     /// A broken bond bears no pull; its faces touch when its offset has come back to what it was at breaking, and then
     /// rub.
-    [[nodiscard]] Eigen::Vector2d part(const Row& row, Eigen::Vector2d force, Eigen::Vector2d stiffness) const {
+    [[nodiscard]] GivenWay part(const Row& row, Eigen::Vector2d force, Eigen::Vector2d stiffness) const {
         Eigen::Vector2d moved;
         moved[0] = std::max(force[0] / stiffness[0], row.closed - row.offset[0]);
         const double pressed = std::max(0.0, stiffness[0] * moved[0] - force[0]);
         const double over = std::max(0.0, std::fabs(force[1]) - contact_.mu * pressed);
         moved[1] = stiffness[1] > 0.0 ? std::copysign(over / stiffness[1], force[1]) : 0.0;
-        return moved;
+        return {moved, stiffness.cwiseProduct(moved).norm()};
     }
 
     /// Takes the row's offset out of the measured forces.

@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace demlua::step {
 
 namespace {
+
+/// Of a bond's own stiffness, what it is taken to meet at least: where it alone holds a part, offsets meet nothing.
+constexpr double least_share = 1e-3;
 
 void put(const ElementForces& forces, double factor, const Eigen::VectorXd& per_radius, Eigen::VectorXd& sum) {
     for (const SpringEnd& end : forces) {
@@ -28,10 +32,10 @@ void FailingPart::add(FailingBonds& set, std::size_t bond) {
     const auto mine = static_cast<Eigen::Index>(2 * members_.size());
     if (mine + 2 > B_.rows()) B_.conservativeResize(2 * mine + 32, 2 * mine + 32);
     const std::size_t row = set.add_row(bond);
-    members_.push_back(
-        {&set,
-         row,
-         {set.offset_forces(bond, Eigen::Vector2d::UnitX()), set.offset_forces(bond, Eigen::Vector2d::UnitY())}});
+    Member fresh{&set, row, {}, least_share * set.coupling(bond, bond).diagonal()};
+    fresh.forces = {set.offset_forces(bond, Eigen::Vector2d::UnitX()),
+                    set.offset_forces(bond, Eigen::Vector2d::UnitY())};
+    members_.push_back(std::move(fresh));
     for (const Eigen::Index c : {0, 1}) {
         const Eigen::VectorXd u = response(members_.back().forces[static_cast<std::size_t>(c)]);
         for (std::size_t n = 0; n < members_.size(); ++n) {
@@ -68,11 +72,10 @@ double FailingPart::relax(const Eigen::VectorXd& loaded, double tolerance, int s
         for (std::size_t n = 0; n < members_.size(); ++n) {
             const auto at = static_cast<Eigen::Index>(2 * n);
             const Member& member = members_[n];
-            const Eigen::Vector2d stiffness{-B_(at, at), -B_(at + 1, at + 1)};
-            const Eigen::Vector2d moved = member.set->give_way(member.row, force.segment<2>(at), stiffness);
-            if (moved == Eigen::Vector2d::Zero()) continue;
-            force.noalias() += B_.block(0, at, size, 2) * moved;
-            worst = std::max(worst, stiffness.cwiseProduct(moved).norm() / member.set->strength(member.row));
+            const Eigen::Vector2d met = Eigen::Vector2d{-B_(at, at), -B_(at + 1, at + 1)}.cwiseMax(member.least);
+            const GivenWay given = member.set->give_way(member.row, force.segment<2>(at), met);
+            worst = std::max(worst, given.beyond / member.set->strength(member.row));
+            if (given.moved != Eigen::Vector2d::Zero()) force.noalias() += B_.block(0, at, size, 2) * given.moved;
         }
         if (worst <= tolerance) break;
     }

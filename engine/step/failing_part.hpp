@@ -25,6 +25,8 @@ public:
 
     void add(FailingBonds& set, std::size_t bond);
     [[nodiscard]] std::size_t size() const { return members_.size(); }
+    /// Forgets all bonds but the first `size`; for their sets to do the same.
+    void keep_first(std::size_t size) { members_.resize(size); }
 
     /// Lets failing bonds give way under `loaded`, the displacements and rotations the loads alone would cause, until no
     /// force is out of balance with its law by more than `tolerance` of the bond's strength. Gives what is left.
@@ -39,6 +41,7 @@ private:
         FailingBonds* set;
         std::size_t row;
         std::array<ElementForces, 2> forces; ///< of unit offsets
+        Eigen::Vector2d least;               ///< stiffness it meets at least, N/m
     };
 
     [[nodiscard]] Eigen::VectorXd response(const ElementForces& forces) const;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double overshoot = 0.005;      ///< by which a bond may exceed its strength before it is let fail
 constexpr double together = 0.98;        ///< bonds within this share of the nearest to failing fail at once
-constexpr int most_sweeps = 3000;       ///< in search of one rest
+constexpr int most_sweeps = 3000;        ///< in search of one rest
 constexpr double greatest_opening = 0.1; ///< of an element's radius; beyond, displacements are not small
 constexpr double least_share = 1e-4;     ///< of the run's duration, the shortest way from rest to rest
 
@@ -108,7 +108,7 @@ std::size_t QuasiStatic::let_fail(double least) {
 
 bool QuasiStatic::no_rest(double time, const std::string& what) {
     why_ = fmt::format("no rest beyond t = {:.6g} s: at {:.6g} s {}", at_, time, what);
-    for (const std::unique_ptr<FailingBonds>& set : sets_) set->restore();
+    restore();
     return false;
 }
 
@@ -135,27 +135,41 @@ bool QuasiStatic::follow(double time, Trial trial) {
     return true;
 }
 
+void QuasiStatic::keep() {
+    for (const std::unique_ptr<FailingBonds>& set : sets_) set->keep();
+    kept_ = part_->size();
+}
+
+void QuasiStatic::restore() {
+    for (const std::unique_ptr<FailingBonds>& set : sets_) set->restore();
+    part_->keep_first(kept_);
+}
+
 bool QuasiStatic::advance(double until) {
     const double shortest = least_share * said_.duration;
-    for (const std::unique_ptr<FailingBonds>& set : sets_) set->keep();
+    keep();
+    why_.clear();
     while (true) {
         const double time = std::min(at_ + ahead_, until);
         const double ahead = time - at_;
         const Trial trial = settle(time);
         const bool beyond = trial.use > 1.0 + overshoot || trial.left > said_.tolerance;
         if (!beyond || ahead <= 1.01 * shortest) {
-            if (!follow(time, trial)) return false;
-            const double rise = (trial.use - use_) / ahead;
-            const double reach = rise > 0.0 ? (1.0 + 0.5 * overshoot - use_) / rise : 2.0 * ahead_;
-            ahead_ = std::clamp(reach, std::max(0.5 * ahead_, shortest), std::max(2.0 * ahead_, shortest));
-            return true;
+            const double use = use_;
+            if (follow(time, trial)) {
+                const double rise = (trial.use - use) / ahead;
+                const double reach = rise > 0.0 ? (1.0 + 0.5 * overshoot - trial.use) / rise : 2.0 * ahead_;
+                ahead_ = std::clamp(reach, std::max(0.5 * ahead_, shortest), std::max(2.0 * ahead_, shortest));
+                return true;
+            }
+            if (ahead <= 1.01 * shortest) return false;
+            ahead_ = std::max(0.2 * ahead, shortest);
+            continue;
         }
-        for (const std::unique_ptr<FailingBonds>& set : sets_) set->restore();
-        const double to_strength = trial.left > said_.tolerance
-                                       ? 0.3 * ahead
-                                       : (1.0 + 0.5 * overshoot - use_) / (trial.use - use_) * ahead;
-        ahead_ = std::clamp(to_strength, 0.1 * ahead, 0.7 * ahead);
-        ahead_ = std::max(ahead_, shortest);
+        restore();
+        const double to_strength =
+            trial.left > said_.tolerance ? 0.3 * ahead : (1.0 + 0.5 * overshoot - use_) / (trial.use - use_) * ahead;
+        ahead_ = std::max(std::clamp(to_strength, 0.1 * ahead, 0.7 * ahead), shortest);
     }
 }
 

@@ -47,6 +47,8 @@ private:
     bool follow(double time, Trial trial);
     std::size_t let_fail(double least);
     bool no_rest(double time, const std::string& what);
+    void keep();
+    void restore();
     void place(double time);
     [[nodiscard]] std::size_t broken() const;
 
@@ -60,6 +62,7 @@ private:
     std::vector<std::unique_ptr<FailingBonds>> sets_;
     std::optional<FailingPart> part_;
     Eigen::VectorXd displacements_; ///< m and rad, of the last settled instant
+    std::size_t kept_ = 0;          ///< bonds of part_ at the last rest
     double at_ = 0.0;               ///< time of the last rest, s
     double use_ = 0.0;              ///< there
     double ahead_ = 0.0;            ///< by how much time goes on next, s
