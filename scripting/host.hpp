@@ -32,10 +32,10 @@ struct HistoryRequest {
 
 /// One call of sim:run, or of sim:solve_static.
 struct RunRequest {
-    double duration = 0.0;                  ///< s
-    std::optional<model::StaticSolve> rest; ///< then no time passes but that of one step
+    double duration = 0.0;                       ///< s
+    std::optional<model::StaticSolve> rest;      ///< then no time passes but that of one step
     std::optional<model::QuasiStaticRun> slowly; ///< then from rest to rest
-    std::vector<SharedInterval> frames;     ///< one entry per sim:output in force
+    std::vector<SharedInterval> frames;          ///< one entry per sim:output in force
     std::vector<HistoryRequest> histories;
     std::vector<observe::Watcher> callbacks;
     Place place;

@@ -223,7 +223,7 @@ void RunHost::tell_result(const output::SummaryEnding& ending) {
 }
 
 std::string RunHost::files_to_open() const {
-    const std::string elements = settings_.folder.file("elements.pvd").string();
+    std::string elements = settings_.folder.file("elements.pvd").string();
     if (!writer_->has_bonds()) return elements;
     const std::string bonds = settings_.folder.file("bonds.pvd").string();
     if (!writer_->has_cracks()) return fmt::format("{} and {}", elements, bonds);

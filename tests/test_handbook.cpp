@@ -110,8 +110,8 @@ TEST_CASE("handbook: scenarios/shared/handbook.lua says the same", "[scene]") {
          handbook::transition_length(block.speed, 1.0)},
         {"transition_length(select(2, handbook.spall_of_ramp(3, 0.2, 7, 1.25)), 1)",
          handbook::transition_length(ramp.speed, 1.0)}};
-    std::string text =
-        "local handbook = dem.include \"" + (test::source_folder / "scenarios/shared/handbook.lua").string() + "\" {}\n";
+    std::string text = "local handbook = dem.include \"" +
+                       (test::source_folder / "scenarios/shared/handbook.lua").string() + "\" {}\n";
     for (std::size_t n = 0; n < rows.size(); ++n) {
         text += fmt::format("dem.param {{ p{} = (handbook.{}) }}\n", n, rows[n].lua);
     }

@@ -218,9 +218,10 @@ enum class Driver {
 
 /// A run from rest to rest.
 struct QuasiStaticRun {
-    double duration = 0.0;           ///< s
-    double tolerance = 1e-5;         ///< of a bond's strength, what may be out of balance in it
-    std::uint64_t runs_after = 20;   ///< bonds broken one after another under one load, after which the crack is said to run
+    double duration = 0.0;   ///< s
+    double tolerance = 1e-5; ///< of a bond's strength, what may be out of balance in it
+    std::uint64_t runs_after =
+        20; ///< bonds broken one after another under one load, after which the crack is said to run
     std::uint64_t most_failing = 3000; ///< bonds that may yield or break at one instant
     Place place;
 };

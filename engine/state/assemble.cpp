@@ -226,25 +226,27 @@ std::string describe(const State& state, std::size_t body, std::optional<model::
         *bonds);
 }
 
-/// Least and greatest mean radius of the elements of a body's bonds, or length of these where facets hold the body, m.
+/// Mean radius of the elements of a body's bonds, or length of these where facets hold the body: one that a quarter of the bonds
+/// stay below, and the greatest, m.
 std::pair<double, double> bond_sizes(const AnyBondSet& any, model::Network network) {
     return std::visit(
         [&](const auto& bonds) -> std::pair<double, double> {
-            const Column<double>& size = network == model::Network::facets ? bonds.length : bonds.radius;
-            const auto [least, greatest] = std::minmax_element(size.begin(), size.end());
-            return {*least, *greatest};
+            Column<double> size = network == model::Network::facets ? bonds.length : bonds.radius;
+            const auto quarter = size.begin() + static_cast<std::ptrdiff_t>(size.size() / 4);
+            std::nth_element(size.begin(), quarter, size.end());
+            return {*quarter, *std::max_element(quarter, size.end())};
         },
         any);
 }
 
-/// A body none of whose bonds can run the course of their law is a problem; one that is too coarse in places, as a graded
+/// A body most of whose bonds cannot run the course of their law is a problem; one that is too coarse in places, as a graded
 /// pack may be where nothing is to break, is told of.
 void look_at_sizes(const model::Scene& scene, const model::Body& said, model::Network network, const AnyBondSet& bonds,
                    std::vector<Problem>& problems, std::vector<std::string>& notes) {
-    const auto [least, greatest] = bond_sizes(bonds, network);
+    const auto [quarter, greatest] = bond_sizes(bonds, network);
     const std::optional<Problem> problem = model::unresolved_bonds(scene, said, network, greatest);
     if (!problem) return;
-    if (model::unresolved_bonds(scene, said, network, least)) {
+    if (model::unresolved_bonds(scene, said, network, quarter)) {
         problems.push_back(*problem);
     } else {
         notes.push_back(fmt::format("warning: {} is too coarse to break in places: {} {}; {}", said.name,

@@ -137,7 +137,7 @@ AnyBondSet bonds_of(const State& state, const BondedBody& said, const Choice& ch
     if (said.network == model::Network::facets) {
         return facets_of<Law>(state, said, choice.damping, law::facet_moduli(moduli), law.tractions);
     }
-    if constexpr (choice.facets_only) {
+    if constexpr (Choice::facets_only) {
         throw std::logic_error("this bond law is for facets alone");
     } else {
         const std::vector<bonding::Pair> pairs = said.network == model::Network::delaunay
