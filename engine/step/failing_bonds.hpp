@@ -186,8 +186,20 @@ public:
         }
         std::sort(breaking.begin(), breaking.end());
         const double before = bonds_.fracture_work;
+        const std::size_t first_contact = contacts.size();
+        const std::size_t first_crack = state.cracks.size();
         settle_broken(state, bonds_, breaking, contacts);
         bonds_.fracture_work = before + released;
+        for (std::size_t n = 0; n < breaking.size(); ++n) {
+            // They opened on after they broke, and lost then what they held when they broke.
+            const Row& row = rows_[row_of_[breaking[n]]];
+            double& reference = contacts[first_contact + n].reference;
+            reference = std::min(reference, bonds_.length[row.bond] + row.closed);
+            if constexpr (Law::breaks) {
+                bonds_.contact_length[row.bond] = reference;
+                state.cracks[first_crack + n].energy = plastic_work(bonds_, row.bond) + row.released;
+            }
+        }
     }
 
 private:
