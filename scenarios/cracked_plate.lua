@@ -36,17 +36,22 @@ local cohesive_zone = {
   centre = { [25] = { [0.25] = 0.4471, [0.5] = 0.2852 }, [50] = { [0.25] = 0.3454, [0.5] = 0.2181 }, [100] = { [0.25] = 0.2570, [0.5] = 0.1610 } },
   double = { [25] = { [0.25] = 0.4306, [0.5] = 0.2982 }, [50] = { [0.25] = 0.3279, [0.5] = 0.2252 }, [100] = { [0.25] = 0.2421, [0.5] = 0.1649 } },
 }
-local function expected(q)
-  local of_width = (cohesive_zone[q.kind] or {})[q.width] or {}
-  if not of_width[q.share] then error("no cohesive zone was solved for this kind, width and share") end
-  return of_width[q.share] * strength
+local function solved(q)
+  local share = ((cohesive_zone[q.kind] or {})[q.width] or {})[q.share]
+  return share and share * strength
 end
+local shape = { edge = handbook.edge_crack, centre = handbook.centre_crack, double = handbook.double_edge_crack }
+if not shape[p.kind] then error('kind: "edge", "centre" or "double"') end
+local brittle = handbook.critical_stress(toughness, p.kind == "edge" and crack or crack / 2, shape[p.kind](p.share))
 
-dem.study {
-  vary = { spacing = { 20e-3, 10e-3, 5e-3 } }, measure = "critical_stress", unit = "Pa", reference = expected,
-  tolerance = 0.05, because = "asked for; the pack's own roughness makes the crack's way",
-  source = "cohesive zone with linear softening, finite elements (docs/theory/references.md)",
-}
+-- Only plates for which a cohesive zone was solved can be judged.
+if solved(p) then
+  dem.study {
+    vary = { spacing = { 20e-3, 10e-3, 5e-3 } }, measure = "critical_stress", unit = "Pa", reference = solved,
+    tolerance = 0.05, because = "asked for; the pack's own roughness makes the crack's way",
+    source = "cohesive zone with linear softening, finite elements (docs/theory/references.md)",
+  }
+end
 
 -- Along the crack's line elements stand d apart; away from it each next row is up to a fifth farther.
 local function size(x, y) return d + 0.2 * math.max(0, math.abs(y - middle) - 8 * d) end
@@ -71,13 +76,13 @@ local cuts = {
   centre = { { (width - crack) / 2, (width + crack) / 2 } },
   double = { { -d, crack / 2 }, { width - crack / 2, width + d } },
 }
-for _, cut in ipairs(cuts[p.kind] or error('kind: "edge", "centre" or "double"')) do
+for _, cut in ipairs(cuts[p.kind]) do
   sim:notch { plate, from = { cut[1], y }, to = { cut[2], y } }
 end
 
 -- The loads balance; one place far from the crack keeps the plate from floating.
 sim:fix { plate, within = dem.disc { centre = { width / 2, 0.1 * height }, radius = 0.75 * size(0, 0.1 * height) } }
-local most, over = 1.5 * expected(p), 1
+local most, over = 1.2 * math.min(brittle, strength), 1
 local pull = sim:traction { plate.top, stress_y = dem.ramp { to = most, over = over } }
 sim:traction { plate.bottom, stress_y = dem.ramp { to = -most, over = over } }
 
@@ -86,9 +91,8 @@ sim:on_bond_break(function(event, now) opened = opened or pull.stress_y end)
 sim:output { every = over / 4 }
 sim:run { duration = over, driver = "quasi-static" }
 
-local shape = { edge = handbook.edge_crack, centre = handbook.centre_crack, double = handbook.double_edge_crack }
-local brittle = handbook.critical_stress(toughness, p.kind == "edge" and crack or crack / 2, shape[p.kind](p.share))
 dem.result {
   critical_stress = pull.stress_y, first_break = opened or 0, elements = sim.now.elements,
-  share_of_cohesive_zone = pull.stress_y / expected(p), share_of_handbook = pull.stress_y / brittle,
+  share_of_handbook = pull.stress_y / brittle,
 }
+if solved(p) then dem.result { share_of_cohesive_zone = pull.stress_y / solved(p) } end

@@ -51,6 +51,18 @@ void stop_motion(state::Elements& elements) {
     }
 }
 
+Eigen::VectorXd places_held(const state::Elements& elements, const Held& held) {
+    Eigen::VectorXd at = held.jump;
+    for (std::size_t k = 0; k < elements.size(); ++k) {
+        const auto row = static_cast<Eigen::Index>(3 * k);
+        const Eigen::Vector3d stands{elements.ux[k], elements.uy[k], elements.rotation[k]};
+        for (Eigen::Index f = 0; f < 3; ++f) {
+            if (held.is[static_cast<std::size_t>(row + f)] != 0) at[row + f] += stands[f];
+        }
+    }
+    return at;
+}
+
 Eigen::VectorXd freedoms_per_radius(const state::Elements& elements) {
     Eigen::VectorXd factor = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(3 * elements.size()));
     for (std::size_t k = 0; k < elements.size(); ++k) {

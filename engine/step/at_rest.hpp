@@ -30,6 +30,9 @@ std::string pressed_contact(const state::State& state);
 /// Velocities and spins of all elements become zero.
 void stop_motion(state::Elements& elements);
 
+/// Displacements and rotations from bonding that held freedoms are to have; zero where free.
+Eigen::VectorXd places_held(const state::Elements& elements, const Held& held);
+
 /// 1, 1, 1/R of each element: freedoms as lengths, rotation = value/R.
 Eigen::VectorXd freedoms_per_radius(const state::Elements& elements);
 /// Forces on elements, moments over radius, N.

@@ -60,7 +60,7 @@ public:
 
     // --- all bonds of the set ----------------------------------------------------------------------------------------
     [[nodiscard]] virtual std::size_t bonds() const = 0;
-    /// Rows of bonds that have an offset from before, or could not be left out of the failing part for another reason.
+    /// Bonds that hold and have an offset from before.
     [[nodiscard]] virtual std::vector<std::size_t> offset_before() const = 0;
     /// Finds the forces in all bonds under displacements `u` and the rows' offsets.
     virtual void measure(const Eigen::VectorXd& u) = 0;
@@ -72,7 +72,6 @@ public:
     // --- rows --------------------------------------------------------------------------------------------------------
     /// Gives bond `k`, as last measured, a row.
     virtual std::size_t add_row(std::size_t k) = 0;
-    [[nodiscard]] virtual std::size_t rows() const = 0;
     [[nodiscard]] virtual std::size_t bond(std::size_t row) const = 0;
     [[nodiscard]] virtual Eigen::Vector2d offset(std::size_t row) const = 0;
     /// A force that is large for this bond, N.
@@ -148,7 +147,6 @@ public:
         rows_.push_back(row);
         return rows_.size() - 1;
     }
-    [[nodiscard]] std::size_t rows() const override { return rows_.size(); }
     [[nodiscard]] std::size_t bond(std::size_t row) const override { return rows_[row].bond; }
     [[nodiscard]] Eigen::Vector2d offset(std::size_t row) const override { return rows_[row].offset; }
     [[nodiscard]] double strength(std::size_t row) const override { return rows_[row].strength; }

@@ -11,8 +11,8 @@
 #include "engine/step/held_system.hpp"
 
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
-#include <memory>
 #include <vector>
 
 namespace demlua::step {

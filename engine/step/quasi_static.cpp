@@ -72,16 +72,8 @@ std::size_t QuasiStatic::broken() const {
 QuasiStatic::Trial QuasiStatic::settle(double time) {
     const double now = std::exchange(state_.time, time);
     const Eigen::VectorXd outer = outer_forces(state_, stepper_, per_radius_);
-    const Held held = held_freedoms(state_);
+    const Eigen::VectorXd given = places_held(state_.elements, held_freedoms(state_));
     state_.time = now;
-    Eigen::VectorXd given = held.jump;
-    for (std::size_t k = 0; k < state_.elements.size(); ++k) {
-        const auto row = static_cast<Eigen::Index>(3 * k);
-        const Eigen::Vector3d stands{state_.elements.ux[k], state_.elements.uy[k], state_.elements.rotation[k]};
-        for (Eigen::Index f = 0; f < 3; ++f) {
-            if (held.is[static_cast<std::size_t>(row + f)] != 0) given[row + f] += stands[f];
-        }
-    }
     const Eigen::VectorXd loaded = system_->solve(outer, given.cwiseQuotient(per_radius_)).cwiseProduct(per_radius_);
     Trial trial;
     trial.left = part_->relax(loaded, said_.tolerance, most_sweeps);
@@ -93,17 +85,14 @@ QuasiStatic::Trial QuasiStatic::settle(double time) {
     return trial;
 }
 
-std::size_t QuasiStatic::let_fail(double least) {
-    std::size_t count = 0;
+void QuasiStatic::let_fail(double least) {
     for (const std::unique_ptr<FailingBonds>& set : sets_) {
         std::vector<std::size_t> failing;
         for (std::size_t k = 0; k < set->bonds(); ++k) {
             if (set->use(k) >= least) failing.push_back(k);
         }
         for (const std::size_t k : failing) part_->add(*set, k);
-        count += failing.size();
     }
-    return count;
 }
 
 bool QuasiStatic::no_rest(double time, const std::string& what) {

@@ -45,7 +45,7 @@ private:
 
     Trial settle(double time);
     bool follow(double time, Trial trial);
-    std::size_t let_fail(double least);
+    void let_fail(double least);
     bool no_rest(double time, const std::string& what);
     void keep();
     void restore();

@@ -109,14 +109,9 @@ private:
 
     StaticAnswer once() {
         state::Elements& elements = state_.elements;
-        Eigen::VectorXd at = held_.jump;
-        for (std::size_t k = 0; k < elements.size(); ++k) {
-            const auto row = static_cast<Eigen::Index>(3 * k);
-            const Eigen::Vector3d stands{elements.ux[k], elements.uy[k], elements.rotation[k]};
-            for (Eigen::Index f = 0; f < 3; ++f) {
-                if (held_.is[static_cast<std::size_t>(row + f)] != 0) at[row + f] += stands[f];
-            }
-            elements.ux[k] = elements.uy[k] = elements.rotation[k] = 0.0;
+        const Eigen::VectorXd at = places_held(elements, held_);
+        for (Column<double>* column : {&elements.ux, &elements.uy, &elements.rotation}) {
+            std::fill(column->begin(), column->end(), 0.0);
         }
         const Eigen::VectorXd outer = outer_forces(state_, stepper_, per_radius_);
         move_by(solution(springs_of(state_), outer, at.cwiseQuotient(per_radius_)));
