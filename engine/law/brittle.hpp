@@ -53,7 +53,7 @@ struct Brittle {
     }
 
     template <class T>
-    static bool broken(const Params& p, T radius, const BondMotion<T>& motion, const History<T>& /*history*/) {
+    static auto broken(const Params& p, T radius, const BondMotion<T>& motion, const History<T>& /*history*/) {
         return p.Kn * motion.stretch > p.cap * Cap::growth(radius);
     }
 

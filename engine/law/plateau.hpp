@@ -65,14 +65,14 @@ struct Plateau {
 
     /// Plastic work grows with every plastic displacement.
     template <class T>
-    static bool has_yielded(const History<T>& before, const History<T>& now) {
+    static auto has_yielded(const History<T>& before, const History<T>& now) {
         return now.work > before.work;
     }
 
     template <class T>
-    static bool broken(const Params& p, T radius, const BondMotion<T>& motion, const History<T>& /*history*/) {
-        return motion.stretch > p.opening + 0.5 * p.stretch_per_radius * radius ||
-               magnitude(motion.shear) > p.slip + 0.5 * p.shear_per_radius * radius;
+    static auto broken(const Params& p, T radius, const BondMotion<T>& motion, const History<T>& /*history*/) {
+        return either(motion.stretch > p.opening + 0.5 * p.stretch_per_radius * radius,
+                      magnitude(motion.shear) > p.slip + 0.5 * p.shear_per_radius * radius);
     }
 
     /// Greatest tension and greatest shear force that the bond bears now, N.

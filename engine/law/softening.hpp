@@ -81,12 +81,12 @@ struct Softening {
     }
 
     template <class T>
-    static bool has_yielded(const History<T>& before, const History<T>& now) {
+    static auto has_yielded(const History<T>& before, const History<T>& now) {
         return now.lost > before.lost;
     }
 
     template <class T>
-    static bool broken(const Params& /*p*/, T /*radius*/, const BondMotion<T>& /*motion*/, const History<T>& history) {
+    static auto broken(const Params& /*p*/, T /*radius*/, const BondMotion<T>& /*motion*/, const History<T>& history) {
         return history.lost >= 1.0;
     }
 

@@ -6,6 +6,8 @@
 #include "engine/state/free_wall.hpp"
 #include "engine/state/incidence.hpp"
 
+#include "engine/bonding/runs.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,20 +20,32 @@ namespace demlua::state {
 
 namespace {
 
-std::vector<bonding::Pair> near_pairs(const State& state, const Body& body, double search) {
+struct Disks {
     std::vector<Vec2> centre;
     std::vector<double> radius;
+};
+
+Disks disks_of(const State& state, const Body& body) {
+    Disks disks;
     for (std::size_t k = body.first; k < body.last; ++k) {
-        centre.push_back(state.elements.position(k));
-        radius.push_back(state.elements.radius[k]);
+        disks.centre.push_back(state.elements.position(k));
+        disks.radius.push_back(state.elements.radius[k]);
     }
-    return bonding::pairs_within(centre, radius, search);
+    return disks;
 }
 
 std::vector<bonding::Pair> neighbours(const packing::Cells& cells) {
     std::vector<bonding::Pair> pairs;
     for (const packing::Facet& facet : cells.facets) pairs.emplace_back(facet.i, facet.j);
     return pairs;
+}
+
+template <class Row>
+std::vector<Row> in_runs(const std::vector<Row>& rows, const std::vector<bonding::Pair>& pairs, const Disks& disks) {
+    std::vector<Row> ordered;
+    ordered.reserve(rows.size());
+    for (const std::size_t row : bonding::order_in_runs(pairs, disks.centre)) ordered.push_back(rows[row]);
+    return ordered;
 }
 
 /// Everything about the pairs but what holds them.
@@ -48,12 +62,13 @@ void lay_out(BondTable<Law>& bonds, const State& state, const std::vector<bondin
         bonds.Dx.push_back(D.x);
         bonds.Dy.push_back(D.y);
         bonds.length.push_back(norm(D));
+        bonds.inverse_length.push_back(1.0 / bonds.length.back());
         bonds.share_i.push_back(elements.radius[i] / (elements.radius[i] + elements.radius[j]));
         bonds.radius.push_back(0.5 * (elements.radius[i] + elements.radius[j]));
     }
     bonds.history.resize(pairs.size());
     for (Column<double>* column : {&bonds.fx, &bonds.fy, &bonds.moment_i, &bonds.moment_j}) {
-        column->resize(pairs.size());
+        column->resize(pairs.size() + 1);
     }
     if constexpr (Law::breaks) {
         bonds.broken.resize(pairs.size());
@@ -61,6 +76,7 @@ void lay_out(BondTable<Law>& bonds, const State& state, const std::vector<bondin
         bonds.break_time.assign(pairs.size(), std::numeric_limits<double>::infinity());
     }
     bonds.incidence = incidence_of(bonds.i, bonds.j, body.first, body.size());
+    bonds.slots = slots_of(bonds.i, bonds.j, body.first, body.size());
 }
 
 void grow_dashpots(BondDashpots& dashpots, std::size_t rows) {
@@ -104,17 +120,15 @@ template <class Law>
 FacetSet<Law> facets_of(const State& state, const BondedBody& said, double damping, const law::FacetModuli& moduli,
                         const typename Law::Tractions& tractions) {
     const Body& body = state.bodies[said.body];
-    std::vector<Vec2> centre;
-    std::vector<double> radius;
-    for (std::size_t k = body.first; k < body.last; ++k) {
-        centre.push_back(state.elements.position(k));
-        radius.push_back(state.elements.radius[k]);
-    }
-    const bonding::FacetNetwork network = bonding::facet_network(*said.cells, centre, radius, moduli, state.thickness);
+    const Disks disks = disks_of(state, body);
+    packing::Cells cells = *said.cells;
+    cells.facets = in_runs(cells.facets, neighbours(cells), disks);
+    const bonding::FacetNetwork network =
+        bonding::facet_network(cells, disks.centre, disks.radius, moduli, state.thickness);
     FacetSet<Law> bonds;
     bonds.tractions = tractions;
     bonds.body = said.body;
-    lay_out(bonds, state, neighbours(*said.cells));
+    lay_out(bonds, state, neighbours(cells));
     fill_facets(bonds, network, moduli, state.thickness);
     if (damping > 0.0) add_dashpots(bonds, state.elements, damping);
     return bonds;
@@ -140,10 +154,11 @@ AnyBondSet bonds_of(const State& state, const BondedBody& said, const Choice& ch
     if constexpr (Choice::facets_only) {
         throw std::logic_error("this bond law is for facets alone");
     } else {
+        const Disks disks = disks_of(state, state.bodies[said.body]);
         const std::vector<bonding::Pair> pairs = said.network == model::Network::delaunay
                                                      ? neighbours(*said.cells)
-                                                     : near_pairs(state, state.bodies[said.body], choice.search);
-        return pairs_of<Law>(state, said, choice.damping, pairs, law.params);
+                                                     : bonding::pairs_within(disks.centre, disks.radius, choice.search);
+        return pairs_of<Law>(state, said, choice.damping, in_runs(pairs, pairs, disks), law.params);
     }
 }
 

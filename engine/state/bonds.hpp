@@ -5,6 +5,7 @@
 #include "engine/law/facet.hpp"
 #include "engine/law/laws.hpp"
 #include "engine/state/history.hpp"
+#include "engine/state/pair_slots.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -32,6 +33,9 @@ struct BondDashpots {
     [[nodiscard]] bool present() const { return !Cn.empty(); }
 };
 
+/// In the column `broken`: what holds is 0, what is broken 1, and this what is to break at the present instant.
+inline constexpr std::uint8_t failing = 2;
+
 /// What all bonds have, whatever holds them.
 template <class Law>
 struct BondTable {
@@ -40,16 +44,17 @@ struct BondTable {
 
     std::size_t body = 0;
 
-    Column<Index> i, j;     ///< rows of elements, i < j
-    Column<double> Dx, Dy;  ///< from i to j at bonding, m
-    Column<double> length;  ///< of D, m
-    Column<double> share_i; ///< of the length that belongs to i
-    Column<double> radius;  ///< mean of the two, m
+    Column<Index> i, j;            ///< rows of elements, i < j
+    Column<double> Dx, Dy;         ///< from i to j at bonding, m
+    Column<double> length;         ///< of D, m
+    Column<double> inverse_length; ///< 1/m
+    Column<double> share_i;        ///< of the length that belongs to i
+    Column<double> radius;         ///< mean of the two, m
     HistoryColumns<History> history;
     BondDashpots dashpots;
 
-    Column<double> fx, fy;             ///< on i; on j the opposite, N
-    Column<double> moment_i, moment_j; ///< N m
+    Column<double> fx, fy;             ///< on i; on j the opposite, N; a row of zeros after the last, for `slots`
+    Column<double> moment_i, moment_j; ///< N m; likewise
 
     // only for laws that break
     Column<std::uint8_t> broken;
@@ -59,6 +64,7 @@ struct BondTable {
     std::size_t broken_count = 0;
 
     Incidence incidence;
+    PairSlots slots;
 
     [[nodiscard]] std::size_t size() const { return i.size(); }
     [[nodiscard]] bool is_broken(std::size_t bond) const {

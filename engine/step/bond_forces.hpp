@@ -4,7 +4,10 @@
 #include "engine/base/team.hpp"
 #include "engine/state/bonds.hpp"
 #include "engine/state/elements.hpp"
+#include "engine/step/kernels.hpp"
 
+#include <algorithm>
+#include <tuple>
 #include <vector>
 
 namespace demlua::step {
@@ -17,7 +20,7 @@ DEMLUA_INLINE law::BondMotion<double> motion_of(const state::BondTable<Law>& bon
     const std::size_t j = bonds.j[k];
     const double s = bonds.share_i[k];
     const double turn = s * elements.rotation[i] + (1.0 - s) * elements.rotation[j];
-    return law::bond_motion(Vec2{bonds.Dx[k], bonds.Dy[k]}, bonds.length[k],
+    return law::bond_motion(Vec2{bonds.Dx[k], bonds.Dy[k]}, bonds.length[k], bonds.inverse_length[k],
                             elements.displacement(j) - elements.displacement(i), turn);
 }
 
@@ -78,33 +81,31 @@ void add_dashpots(state::BondTable<Law>& bonds, std::size_t k, law::BondForce<do
     force.shear += shear;
 }
 
-/// Fills fx .. moment_j of the bonds of one share. Bonds that break are appended to `breaking` and left for
-/// settle_broken.
+/// Fills fx .. moment_j of the bonds of one share. Bonds that are to break are marked so and left for settle_broken;
+/// returns whether there are any.
 template <class Law>
-void bond_forces(state::BondSet<Law>& bonds, const state::Elements& elements, double dt, Share part,
-                 std::vector<Index>& breaking) {
-    const bool damped = bonds.dashpots.present();
-    for (std::size_t k = part.begin; k < part.end; ++k) {
-        if (bonds.is_broken(k)) continue;
-        const law::BondMotion<double> motion = motion_of(bonds, elements, k);
-        const auto before = bonds.history.at(k);
-        auto history = before;
-        law::BondForce<double> force = Law::respond(bonds.params, bonds.radius[k], motion, history);
-        // Most bonds never yield: their lines of memory need not be written back.
-        if (Law::has_yielded(before, history)) bonds.history.store(k, history);
-        if (damped) add_dashpots(bonds, k, rates_of(bonds, elements, k, motion), dt, force);
-        if constexpr (Law::breaks) {
-            if (Law::broken(bonds.params, bonds.radius[k], motion, history)) {
-                breaking.push_back(static_cast<Index>(k));
-            }
-        }
-        const double couple = force.shear * bonds.length[k];
-        const Vec2 f = force.normal * motion.normal + (couple * motion.inverse_length) * turned_left(motion.normal);
-        bonds.fx[k] = f.x;
-        bonds.fy[k] = f.y;
-        bonds.moment_i[k] = couple * bonds.share_i[k];
-        bonds.moment_j[k] = couple * (1.0 - bonds.share_i[k]);
+bool bond_forces(state::BondSet<Law>& bonds, const state::Elements& elements, double dt, Share part,
+                 const Kernels& kernels) {
+    const BondRows<Law> rows = rows_of(bonds);
+    const ElementRows moving = rows_of(elements);
+    bool some_fail = false;
+    run_rows(kernels, part, [&](const Kernels& width, std::size_t begin, std::size_t end) {
+        const auto& kernel = std::get<PairKernels<Law>>(width.bonds);
+        some_fail |= (bonds.dashpots.present() ? kernel.damped : kernel.plain)(rows, moving, dt, begin, end);
+    });
+    return some_fail;
+}
+
+/// Rows marked as failing, rising.
+template <class Law>
+std::vector<Index> failing_rows(const state::BondTable<Law>& bonds) {
+    std::vector<Index> rows;
+    const auto& marks = bonds.broken;
+    for (auto at = std::find(marks.begin(), marks.end(), state::failing); at != marks.end();
+         at = std::find(at + 1, marks.end(), state::failing)) {
+        rows.push_back(static_cast<Index>(at - marks.begin()));
     }
+    return rows;
 }
 
 } // namespace demlua::step

@@ -8,12 +8,30 @@ namespace demlua::step {
 
 namespace {
 
-/// Energy mass-proportional damping takes in a kick: alpha m times the square of the mean velocity, times dt.
-double damping_work(const state::State& state, std::size_t k, Vec2 v_before, double spin_before) {
+MotionRows rows_of(state::Elements& elements, std::vector<double>& spent) {
+    return {elements.ux.data(),
+            elements.uy.data(),
+            elements.rotation.data(),
+            elements.vx.data(),
+            elements.vy.data(),
+            elements.spin.data(),
+            elements.fx.data(),
+            elements.fy.data(),
+            elements.moment.data(),
+            elements.inverse_mass.data(),
+            elements.inverse_inertia.data(),
+            spent.empty() ? nullptr : spent.data()};
+}
+
+/// The first element faster than its radius allows, or not moving at any number.
+std::size_t first_runaway(const state::State& state, double greatest_move, Share part) {
     const state::Elements& elements = state.elements;
-    const Vec2 v = 0.5 * (v_before + elements.velocity(k));
-    const double spin = 0.5 * (spin_before + elements.spin[k]);
-    return state.alpha * state.dt * (elements.mass(k) * dot(v, v) + elements.inertia(k) * spin * spin);
+    for (std::size_t k = part.begin; k < part.end; ++k) {
+        const double limit = greatest_move * elements.radius[k] / state.dt;
+        const Vec2 v = elements.velocity(k);
+        if (!(dot(v, v) <= limit * limit)) return k;
+    }
+    return Drift::no_element;
 }
 
 /// Calls `work(Share)` over runs of elements that move on their own.
@@ -52,43 +70,31 @@ void clear_forces(state::State& state, Team& team) {
     });
 }
 
-void kick(state::State& state, Team& team) {
+Drift move_elements(state::State& state, const TravelLimit& limit, const Kernels& kernels, Team& team) {
     state::Elements& elements = state.elements;
     const Kick kicked(state.alpha, state.dt);
     const bool damped = state.alpha > 0.0;
+    const bool heavy = !(state.gravity == Vec2{});
+    const MotionTerms terms{kicked.keep,
+                            kicked.gain,
+                            state.dt,
+                            state.alpha,
+                            state.gravity.x,
+                            state.gravity.y,
+                            limit.share * limit.smallest_radius / state.dt};
     std::vector<double> spent(damped ? elements.size() : 0);
-    share_free(state, team, [&](Share part) {
-        for (std::size_t k = part.begin; k < part.end; ++k) {
-            const Vec2 v = elements.velocity(k);
-            const double spin = elements.spin[k];
-            elements.vx[k] = kicked(v.x, elements.fx[k], elements.inverse_mass[k]);
-            elements.vy[k] = kicked(v.y, elements.fy[k], elements.inverse_mass[k]);
-            elements.spin[k] = kicked(spin, elements.moment[k], elements.inverse_inertia[k]);
-            if (damped) spent[k] = damping_work(state, k, v, spin);
-        }
-    });
-    for (const double work : spent) state.booked.mass_damping += work;
-}
-
-Drift drift(state::State& state, double greatest_move, Team& team) {
-    state::Elements& elements = state.elements;
-    const double dt = state.dt;
+    const MotionRows rows = rows_of(elements, spent);
     std::vector<Drift> found(team.parts());
     share_free(state, team, [&](Share part) {
-        double fastest = 0.0;
-        std::size_t runaway = Drift::no_element;
-        for (std::size_t k = part.begin; k < part.end; ++k) {
-            const double speed2 = elements.vx[k] * elements.vx[k] + elements.vy[k] * elements.vy[k];
-            const double limit = greatest_move * elements.radius[k] / dt;
-            fastest = std::max(fastest, speed2);
-            // Written so that a velocity that is not a number is caught as well.
-            if (!(speed2 <= limit * limit) && runaway == Drift::no_element) runaway = k;
-            elements.ux[k] += dt * elements.vx[k];
-            elements.uy[k] += dt * elements.vy[k];
-            elements.rotation[k] += dt * elements.spin[k];
-        }
-        found[part.part].join({dt * std::sqrt(fastest), runaway});
+        run_rows(kernels, part, [&](const Kernels& width, std::size_t begin, std::size_t end) {
+            const MotionKernel move = width.move[(damped ? 1U : 0U) + (heavy ? 2U : 0U)];
+            const Fastest fastest = move(rows, terms, begin, end);
+            Drift drift{state.dt * std::sqrt(fastest.speed_squared), Drift::no_element};
+            if (fastest.beyond_limit) drift.runaway = first_runaway(state, limit.share, {begin, end, part.part});
+            found[part.part].join(drift);
+        });
     });
+    for (const double work : spent) state.booked.mass_damping += work;
     Drift whole;
     for (const Drift& part : found) whole.join(part);
     return whole;
@@ -135,6 +141,10 @@ Drift move_rigid(state::State& state, double greatest_move) {
             elements.ux[k] = u.x;
             elements.uy[k] = u.y;
             elements.rotation[k] = rigid.rotation;
+            const double mass = elements.mass(k);
+            elements.fx[k] = mass * state.gravity.x;
+            elements.fy[k] = mass * state.gravity.y;
+            elements.moment[k] = 0.0;
             const double moved = dt * norm(elements.velocity(k));
             found.join({moved, moved <= greatest_move * elements.radius[k] ? Drift::no_element : k});
         }

@@ -6,6 +6,7 @@
 
 #include "engine/base/team.hpp"
 #include "engine/state/state.hpp"
+#include "engine/step/kernels.hpp"
 
 namespace demlua::step {
 
@@ -40,20 +41,23 @@ struct Drift {
     void join(const Drift& other);
 };
 
+/// How far an element may move in a step.
+struct TravelLimit {
+    double share = 0.2;           ///< of its radius
+    double smallest_radius = 0.0; ///< of all elements, m
+};
+
 /// Sets the forces on elements to gravity and zero.
 void clear_forces(state::State& state, Team& team);
 
-/// Kicks every element that is not part of a rigid body, and books what mass damping spends.
-void kick(state::State& state, Team& team);
-
-/// Moves every element that is not part of a rigid body.
-Drift drift(state::State& state, double greatest_move, Team& team);
+/// Kicks and moves every element that is not part of a rigid body, books what mass damping spends, and clears the forces.
+Drift move_elements(state::State& state, const TravelLimit& limit, const Kernels& kernels, Team& team);
 
 /// Sums the forces on the elements of each rigid body.
 void gather_rigid(state::State& state);
 
-/// Kicks rigid bodies, moves them, and lets their elements follow: velocities are those of the chord, so that contacts
-/// see the displacement there is.
+/// Kicks rigid bodies, moves them, and lets their elements follow, the forces on them cleared: velocities are those of the
+/// chord, so that contacts see the displacement there is.
 Drift move_rigid(state::State& state, double greatest_move);
 
 } // namespace demlua::step

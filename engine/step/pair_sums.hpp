@@ -2,7 +2,9 @@
 #pragma once
 
 #include "engine/base/team.hpp"
+#include "engine/state/bonds.hpp"
 #include "engine/state/elements.hpp"
+#include "engine/step/kernels.hpp"
 
 namespace demlua::step {
 
@@ -29,6 +31,26 @@ void add_pair_forces(const Pairs& pairs, state::Elements& elements, Team& team) 
             elements.fy[k] += fy;
             elements.moment[k] += moment;
         }
+    });
+}
+
+/// The same for bonds, several elements at a time.
+template <class Law>
+void add_bond_forces(const state::BondTable<Law>& bonds, state::Elements& elements, const Kernels& kernels,
+                     Team& team) {
+    const state::PairSlots& slots = bonds.slots;
+    const PairSums sums{bonds.fx.data(),
+                        bonds.fy.data(),
+                        bonds.moment_i.data(),
+                        bonds.moment_j.data(),
+                        slots.start.data(),
+                        slots.row.data(),
+                        elements.fx.data() + slots.first,
+                        elements.fy.data() + slots.first,
+                        elements.moment.data() + slots.first};
+    team.share(slots.elements, [&](Share part) {
+        run_rows(kernels, part,
+                 [&](const Kernels& width, std::size_t begin, std::size_t end) { width.sum_pairs(sums, begin, end); });
     });
 }
 

@@ -9,6 +9,8 @@
 #include "engine/step/waking.hpp"
 #include "engine/step/wall_parts.hpp"
 
+#include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <fmt/format.h>
 #include <iterator>
@@ -32,14 +34,16 @@ namespace {
 
 template <class Law>
 void compute_bonds(state::State& state, Stepper& stepper, state::BondSet<Law>& bonds) {
-    for (std::vector<Index>& part : stepper.breaking) part.clear();
+    std::atomic<bool> some_fail{false};
     stepper.team.share(bonds.size(), [&](Share part) {
-        bond_forces(bonds, state.elements, state.dt, part, stepper.breaking[part.part]);
+        if (bond_forces(bonds, state.elements, state.dt, part, *stepper.kernels)) some_fail = true;
     });
-    std::vector<NewContact> contacts;
-    for (const std::vector<Index>& part : stepper.breaking) settle_broken(state, bonds, part, contacts);
-    append_contacts(state, stepper.search, contacts);
-    add_pair_forces(bonds, state.elements, stepper.team);
+    if (some_fail) {
+        std::vector<NewContact> contacts;
+        settle_broken(state, bonds, failing_rows(bonds), contacts);
+        append_contacts(state, stepper.search, contacts);
+    }
+    add_bond_forces(bonds, state.elements, *stepper.kernels, stepper.team);
 }
 
 template <class Law>
@@ -61,7 +65,7 @@ void compute_bonds(state::State& state, Stepper& stepper, state::FacetSet<Law>& 
     if constexpr (Law::wakes) {
         stepper.team.share(bonds.size(), [&](Share part) { wake_facets(bonds, state.elements, part); });
     }
-    add_pair_forces(bonds, state.elements, stepper.team);
+    add_bond_forces(bonds, state.elements, *stepper.kernels, stepper.team);
 }
 
 void compute_contacts(state::State& state, Stepper& stepper) {
@@ -90,15 +94,23 @@ double wall_travel(const state::State& state) {
 } // namespace
 
 Stepper::Stepper(Team& threads, const state::State& state, double greatest_share)
-    : team(threads), search(start_search(state)), greatest_move(greatest_share), breaking(threads.parts()) {}
+    : team(threads), kernels(&kernels_of(widest_kernels())),
+      search(start_search(state)), limit{greatest_share, state.elements.size() > 0
+                                                             ? *std::min_element(state.elements.radius.begin(),
+                                                                                 state.elements.radius.end())
+                                                             : 0.0} {}
 
 void compute_forces(state::State& state, Stepper& stepper) {
+    clear_forces(state, stepper.team);
+    add_forces(state, stepper);
+}
+
+void add_forces(state::State& state, Stepper& stepper) {
     Clock& clock = stepper.clock;
     const std::uint64_t step = state.step;
     if (in_doubt(stepper.search)) {
         clock.time(step, Stage::search, [&] { refresh_contacts(state, stepper.search); });
     }
-    clock.time(step, Stage::motion, [&] { clear_forces(state, stepper.team); });
     for (state::AnyBondSet& any : state.bond_sets) {
         clock.time(step, Stage::bonds,
                    [&] { std::visit([&](auto& bonds) { compute_bonds(state, stepper, bonds); }, any); });
@@ -114,19 +126,17 @@ void advance(state::State& state, Stepper& stepper) {
     const std::uint64_t step = state.step;
     const bool driven = !state.loads.empty() || !state.drives.empty();
     Drift moved;
-    clock.time(step, Stage::motion, [&] {
-        kick(state, stepper.team);
-        moved = drift(state, stepper.greatest_move, stepper.team);
-    });
-    if (!state.rigid_bodies.empty()) moved.join(move_rigid(state, stepper.greatest_move));
+    clock.time(step, Stage::motion,
+               [&] { moved = move_elements(state, stepper.limit, *stepper.kernels, stepper.team); });
+    if (!state.rigid_bodies.empty()) moved.join(move_rigid(state, stepper.limit.share));
     if (!state.walls.empty()) move_walls(state);
-    check_drift(state, moved, stepper.greatest_move);
+    check_drift(state, moved, stepper.limit.share);
     if (driven) book_work(state);
     stepper.search.travelled += std::max(moved.farthest, wall_travel(state));
     ++state.step;
     state.time += state.dt;
 
-    compute_forces(state, stepper);
+    add_forces(state, stepper);
     if (!state.drives.empty()) apply_drives(state);
     if (driven) book_work(state);
 }

@@ -4,6 +4,8 @@
 #include "engine/base/problems.hpp"
 #include "engine/base/team.hpp"
 #include "engine/state/state.hpp"
+#include "engine/step/kernels.hpp"
+#include "engine/step/motion.hpp"
 #include "engine/step/search.hpp"
 
 #include <array>
@@ -31,9 +33,9 @@ public:
 /// What a step works with beside the state.
 struct Stepper {
     Team& team;
+    const Kernels* kernels;
     Search search;
-    double greatest_move = 0.2;               ///< share of its radius an element may move in a step
-    std::vector<std::vector<Index>> breaking; ///< bonds failing in this step, per share of the loop
+    TravelLimit limit;
     Clock clock;
 
     Stepper(Team& threads, const state::State& state, double greatest_share);
@@ -41,6 +43,9 @@ struct Stepper {
 
 /// Forces at the present instant, from positions there and velocities half a step before; without drives.
 void compute_forces(state::State& state, Stepper& stepper);
+
+/// The same where clear_forces has been called already.
+void add_forces(state::State& state, Stepper& stepper);
 
 /// Forces for a state that has just been assembled, and its velocities taken from the instant to half a step before it.
 void start(state::State& state, Stepper& stepper);

@@ -1,0 +1,192 @@
+// Several numbers at once, one in each lane, under the names of base/lanes.hpp. Every operation gives in each lane what it
+// gives for one number, to the last bit: sums, products, quotients and roots are rounded alike, and none are fused.
+//
+// Only files compiled for one width include this (step/lanes_*.cpp): code for wide registers must not be found, under the
+// same name, where a narrower machine runs it.
+#pragma once
+
+#include "engine/base/column.hpp"
+#include "engine/base/lanes.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+#if defined(__AVX2__)
+#include <immintrin.h>
+#endif
+
+namespace demlua {
+
+template <std::size_t W>
+struct LaneTypes {
+    typedef double Numbers __attribute__((vector_size(W * sizeof(double))));            // NOLINT(modernize-use-using)
+    typedef std::int64_t Truths __attribute__((vector_size(W * sizeof(std::int64_t)))); // NOLINT(modernize-use-using)
+    typedef std::uint8_t Bytes __attribute__((vector_size(W)));                         // NOLINT(modernize-use-using)
+    typedef Index Rows __attribute__((vector_size(W * sizeof(Index))));                 // NOLINT(modernize-use-using)
+};
+
+template <std::size_t W>
+struct LaneMask {
+    typename LaneTypes<W>::Truths v; ///< all bits set where true
+};
+
+template <std::size_t W>
+struct Lanes {
+    using Vector = typename LaneTypes<W>::Numbers;
+    Vector v{};
+
+    Lanes() = default;
+    DEMLUA_INLINE Lanes(double same) : v(same - Vector{}) {} // NOLINT(google-explicit-constructor)
+    DEMLUA_INLINE explicit Lanes(Vector vector) : v(vector) {}
+
+    friend DEMLUA_INLINE Lanes operator+(Lanes a, Lanes b) { return Lanes(a.v + b.v); }
+    friend DEMLUA_INLINE Lanes operator-(Lanes a, Lanes b) { return Lanes(a.v - b.v); }
+    friend DEMLUA_INLINE Lanes operator*(Lanes a, Lanes b) { return Lanes(a.v * b.v); }
+    friend DEMLUA_INLINE Lanes operator/(Lanes a, Lanes b) { return Lanes(a.v / b.v); }
+    friend DEMLUA_INLINE Lanes operator-(Lanes a) { return Lanes(-a.v); }
+    DEMLUA_INLINE Lanes& operator+=(Lanes b) { return *this = *this + b; }
+    DEMLUA_INLINE Lanes& operator-=(Lanes b) { return *this = *this - b; }
+    friend DEMLUA_INLINE LaneMask<W> operator<(Lanes a, Lanes b) { return {a.v < b.v}; }
+    friend DEMLUA_INLINE LaneMask<W> operator>(Lanes a, Lanes b) { return {a.v > b.v}; }
+    friend DEMLUA_INLINE LaneMask<W> operator<=(Lanes a, Lanes b) { return {a.v <= b.v}; }
+    friend DEMLUA_INLINE LaneMask<W> operator>=(Lanes a, Lanes b) { return {a.v >= b.v}; }
+};
+
+template <std::size_t W>
+DEMLUA_INLINE LaneMask<W> either(LaneMask<W> a, LaneMask<W> b) {
+    return {a.v | b.v};
+}
+template <std::size_t W>
+DEMLUA_INLINE LaneMask<W> both(LaneMask<W> a, LaneMask<W> b) {
+    return {a.v & b.v};
+}
+template <std::size_t W>
+DEMLUA_INLINE LaneMask<W> operator!(LaneMask<W> a) {
+    return {~a.v};
+}
+template <std::size_t W>
+DEMLUA_INLINE bool any(LaneMask<W> mask) {
+#if defined(__AVX512F__)
+    if constexpr (W == 8)
+        return _mm512_test_epi64_mask(reinterpret_cast<__m512i>(mask.v), reinterpret_cast<__m512i>(mask.v)) != 0;
+#elif defined(__AVX2__)
+    if constexpr (W == 4) return _mm256_movemask_pd(reinterpret_cast<__m256d>(mask.v)) != 0;
+#endif
+    std::int64_t found = 0;
+    for (std::size_t l = 0; l < W; ++l) found |= mask.v[l];
+    return found != 0;
+}
+template <std::size_t W>
+DEMLUA_INLINE Lanes<W> select(LaneMask<W> mask, Lanes<W> yes, Lanes<W> no) {
+    return Lanes<W>(mask.v ? yes.v : no.v);
+}
+template <std::size_t W>
+DEMLUA_INLINE Lanes<W> smaller(Lanes<W> a, Lanes<W> b) {
+    return Lanes<W>(b.v < a.v ? b.v : a.v);
+}
+template <std::size_t W>
+DEMLUA_INLINE Lanes<W> larger(Lanes<W> a, Lanes<W> b) {
+    return Lanes<W>(a.v < b.v ? b.v : a.v);
+}
+template <std::size_t W>
+DEMLUA_INLINE Lanes<W> magnitude(Lanes<W> value) {
+    constexpr std::int64_t all_but_sign = 0x7fffffffffffffff;
+    const auto bits = reinterpret_cast<typename LaneTypes<W>::Truths>(value.v) & all_but_sign;
+    return Lanes<W>(reinterpret_cast<typename LaneTypes<W>::Numbers>(bits));
+}
+template <std::size_t W>
+DEMLUA_INLINE Lanes<W> square_root(Lanes<W> value) {
+    Lanes<W> root;
+    for (std::size_t l = 0; l < W; ++l) root.v[l] = std::sqrt(value.v[l]);
+    return root;
+}
+
+template <std::size_t W>
+DEMLUA_INLINE double largest(Lanes<W> value) {
+    double most = value.v[0];
+    for (std::size_t l = 1; l < W; ++l) most = most < value.v[l] ? value.v[l] : most;
+    return most;
+}
+
+/// Numbers that stand next to each other, or that are picked out row by row.
+template <std::size_t W>
+DEMLUA_INLINE Lanes<W> loaded(const double* from) {
+    Lanes<W> lanes;
+    std::memcpy(&lanes.v, from, sizeof lanes.v);
+    return lanes;
+}
+template <std::size_t W>
+DEMLUA_INLINE void store(double* to, Lanes<W> lanes) {
+    std::memcpy(to, &lanes.v, sizeof lanes.v);
+}
+template <std::size_t W>
+DEMLUA_INLINE Lanes<W> picked(const double* from, const Index* rows) {
+#if defined(__AVX512F__)
+    if constexpr (W == 8) {
+        const __m256i at = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(rows));
+        return Lanes<W>(_mm512_mask_i32gather_pd(_mm512_setzero_pd(), 0xff, at, from, 8));
+    }
+#elif defined(__AVX2__)
+    if constexpr (W == 4) {
+        const __m128i at = _mm_loadu_si128(reinterpret_cast<const __m128i*>(rows));
+        const __m256d wanted = _mm256_castsi256_pd(_mm256_set1_epi64x(-1));
+        return Lanes<W>(_mm256_mask_i32gather_pd(_mm256_setzero_pd(), from, at, wanted, 8));
+    }
+#endif
+    Lanes<W> lanes;
+    for (std::size_t l = 0; l < W; ++l) lanes.v[l] = from[rows[l]];
+    return lanes;
+}
+
+/// Whether any of W bytes is not zero, or all are.
+template <std::size_t W>
+DEMLUA_INLINE bool any_set(const std::uint8_t* bytes) {
+    using Word = std::conditional_t<W == 2, std::uint16_t, std::conditional_t<W == 4, std::uint32_t, std::uint64_t>>;
+    bool some = false;
+    for (std::size_t l = 0; l < W; l += sizeof(Word)) {
+        Word word = 0;
+        std::memcpy(&word, bytes + l, sizeof word);
+        some |= word != 0;
+    }
+    return some;
+}
+template <std::size_t W>
+DEMLUA_INLINE bool all_set(const std::uint8_t* bytes) {
+    bool all = true;
+    for (std::size_t l = 0; l < W; ++l) all &= bytes[l] != 0;
+    return all;
+}
+
+/// True where a byte is zero, of bytes that are 0 or 1.
+template <std::size_t W>
+DEMLUA_INLINE LaneMask<W> where_zero(const std::uint8_t* bytes) {
+    typename LaneTypes<W>::Bytes found;
+    std::memcpy(&found, bytes, sizeof found);
+    return {__builtin_convertvector(found, typename LaneTypes<W>::Truths) - 1};
+}
+
+/// Whether `rows` are W that follow each other.
+template <std::size_t W>
+DEMLUA_INLINE bool in_a_row(const Index* rows) {
+    typename LaneTypes<W>::Rows found;
+    std::memcpy(&found, rows, sizeof found);
+    typename LaneTypes<W>::Rows wanted{};
+    for (std::size_t l = 0; l < W; ++l) wanted[l] = static_cast<Index>(l);
+    wanted += found[0];
+#if defined(__AVX512VL__)
+    if constexpr (W == 8)
+        return _mm256_cmpneq_epi32_mask(reinterpret_cast<__m256i>(found), reinterpret_cast<__m256i>(wanted)) == 0;
+#elif defined(__AVX2__)
+    if constexpr (W == 4) return _mm_movemask_epi8(reinterpret_cast<__m128i>(found == wanted)) == 0xffff;
+#endif
+    const auto off = found - wanted;
+    std::uint64_t parts[sizeof off / sizeof(std::uint64_t)];
+    std::memcpy(parts, &off, sizeof off);
+    std::uint64_t differs = 0;
+    for (const std::uint64_t part : parts) differs |= part;
+    return differs == 0;
+}
+
+} // namespace demlua

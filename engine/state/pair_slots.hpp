@@ -1,0 +1,26 @@
+// The pairs of each element, laid out so that several elements can be summed at a time.
+#pragma once
+
+#include "engine/base/column.hpp"
+
+#include <cstddef>
+
+namespace demlua::state {
+
+/// Elements from `first` on stand in blocks of 8. A block has as many slots as the element of it with most pairs: first
+/// those in which elements are a pair's i, from start[2b] to start[2b + 1], then those in which they are its j, to
+/// start[2b + 2]. row[8 slot + lane] names the pair of each element in the slot; where it has none, the row after the last.
+/// Sums are taken slot by slot, so they come out the same whoever takes them, however many at a time.
+struct PairSlots {
+    static constexpr std::size_t block = 8;
+
+    std::size_t first = 0;
+    std::size_t elements = 0;
+    Column<Index> start;
+    Column<Index> row;
+};
+
+/// Pairs (i[k], j[k]) over elements `first` to `first + count`; those of an element in rising order within either kind.
+PairSlots slots_of(const Column<Index>& i, const Column<Index>& j, std::size_t first, std::size_t count);
+
+} // namespace demlua::state

@@ -1,0 +1,215 @@
+// Forces in bonds between pairs, row by row: the same arithmetic for one row or for as many as a register holds.
+#pragma once
+
+#include "engine/base/lanes.hpp"
+#include "engine/law/bond_motion.hpp"
+#include "engine/state/bonds.hpp"
+#include "engine/state/elements.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace demlua::step {
+
+/// Where the columns of elements begin.
+struct ElementRows {
+    const double *ux, *uy, *rotation, *vx, *vy, *spin;
+};
+
+/// Where the columns of a bond set begin; those of dashpots and of breaking are null where there are none.
+template <class Law>
+struct BondRows {
+    using History = typename Law::template History<double>;
+
+    typename Law::Params params;
+    const Index *i, *j;
+    const double *Dx, *Dy, *length, *inverse_length, *share_i, *radius;
+    std::array<double*, History::members.size()> history;
+    const double *Cn, *Ct;
+    double *dashpot_normal, *dashpot_shear, *spent;
+    double *fx, *fy, *moment_i, *moment_j;
+    std::uint8_t* broken;
+};
+
+inline ElementRows rows_of(const state::Elements& elements) {
+    return {elements.ux.data(), elements.uy.data(), elements.rotation.data(),
+            elements.vx.data(), elements.vy.data(), elements.spin.data()};
+}
+
+template <class Law>
+BondRows<Law> rows_of(state::BondSet<Law>& bonds) {
+    BondRows<Law> rows{bonds.params,
+                       bonds.i.data(),
+                       bonds.j.data(),
+                       bonds.Dx.data(),
+                       bonds.Dy.data(),
+                       bonds.length.data(),
+                       bonds.inverse_length.data(),
+                       bonds.share_i.data(),
+                       bonds.radius.data(),
+                       {},
+                       bonds.dashpots.Cn.data(),
+                       bonds.dashpots.Ct.data(),
+                       bonds.dashpots.normal.data(),
+                       bonds.dashpots.shear.data(),
+                       bonds.dashpots.spent.data(),
+                       bonds.fx.data(),
+                       bonds.fy.data(),
+                       bonds.moment_i.data(),
+                       bonds.moment_j.data(),
+                       bonds.broken.data()};
+    for (std::size_t m = 0; m < rows.history.size(); ++m) rows.history[m] = bonds.history.columns[m].data();
+    return rows;
+}
+
+/// Fills fx .. moment_j of the rows [begin, end), a whole multiple of the kernel's width, for the present instant. Rows that
+/// fail in it are marked state::failing in `broken`; returns whether there are any.
+template <class Law>
+using BondKernel = bool (*)(const BondRows<Law>& bonds, const ElementRows& elements, double dt, std::size_t begin,
+                            std::size_t end);
+
+/// Adds the dashpots' forces to `force` and books what they spend: the mean of the forces at the two ends of the step
+/// times the displacement, as central difference exchanges it.
+template <class Lane, class Law, class T, class Held>
+DEMLUA_INLINE void add_dashpots(const BondRows<Law>& bonds, std::size_t k, const Held& held, law::BondForce<T> rate,
+                                double dt, law::BondForce<T>& force) {
+    const T normal = Lane::load(bonds.Cn + k) * rate.normal;
+    const T shear = Lane::load(bonds.Ct + k) * rate.shear;
+    const T doubled = (Lane::load(bonds.dashpot_normal + k) + normal) * rate.normal +
+                      (Lane::load(bonds.dashpot_shear + k) + shear) * rate.shear;
+    Lane::store(bonds.spent + k, Lane::load(bonds.spent + k) + held(0.5 * dt * doubled));
+    Lane::store(bonds.dashpot_normal + k, held(normal));
+    Lane::store(bonds.dashpot_shear + k, held(shear));
+    force.normal += normal;
+    force.shear += shear;
+}
+
+/// Motions of a few rows, which stay in the nearest memory between the two loops of a kernel.
+struct MotionBlock {
+    static constexpr std::size_t rows = 64;
+    alignas(64) double inverse_length[rows], normal_x[rows], normal_y[rows], stretch[rows], shear[rows];
+};
+
+template <class Lane, class Law>
+void measure(const BondRows<Law>& bonds, const ElementRows& elements, std::size_t begin, std::size_t end,
+             MotionBlock& block) {
+    using T = typename Lane::Number;
+    for (std::size_t k = begin; k < end; k += Lane::width) {
+        const typename Lane::Picked i(bonds.i + k);
+        const typename Lane::Picked j(bonds.j + k);
+        const T s = Lane::load(bonds.share_i + k);
+        const T turn = s * i.of(elements.rotation) + (1.0 - s) * j.of(elements.rotation);
+        const Vector2<T> D{Lane::load(bonds.Dx + k), Lane::load(bonds.Dy + k)};
+        const Vector2<T> du{j.of(elements.ux) - i.of(elements.ux), j.of(elements.uy) - i.of(elements.uy)};
+        const law::BondMotion<T> motion =
+            law::bond_motion(D, Lane::load(bonds.length + k), Lane::load(bonds.inverse_length + k), du, turn);
+        const std::size_t at = k - begin;
+        Lane::store(block.inverse_length + at, motion.inverse_length);
+        Lane::store(block.normal_x + at, motion.normal.x);
+        Lane::store(block.normal_y + at, motion.normal.y);
+        Lane::store(block.stretch + at, motion.stretch);
+        Lane::store(block.shear + at, motion.shear);
+    }
+}
+
+template <class Lane>
+law::BondMotion<typename Lane::Number> measured(const MotionBlock& block, std::size_t at) {
+    return {Lane::load(block.inverse_length + at),
+            {Lane::load(block.normal_x + at), Lane::load(block.normal_y + at)},
+            Lane::load(block.stretch + at),
+            Lane::load(block.shear + at)};
+}
+
+template <class Lane, class Law, bool damped>
+bool respond(const BondRows<Law>& bonds, const ElementRows& elements, double dt, std::size_t begin, std::size_t end,
+             const MotionBlock& block) {
+    using T = typename Lane::Number;
+    using History = typename Law::template History<T>;
+    bool some_fail = false;
+    for (std::size_t k = begin; k < end; k += Lane::width) {
+        const typename Lane::Held held(Law::breaks ? bonds.broken + k : nullptr);
+        if (held.none()) continue;
+        const law::BondMotion<T> motion = measured<Lane>(block, k - begin);
+        const T s = Lane::load(bonds.share_i + k);
+        const T l = Lane::load(bonds.length + k);
+        const T radius = Lane::load(bonds.radius + k);
+        History before;
+        for (std::size_t m = 0; m < bonds.history.size(); ++m)
+            before.*History::members[m] = Lane::load(bonds.history[m] + k);
+        History history = before;
+        law::BondForce<T> force = Law::respond(bonds.params, radius, motion, history);
+        // Most bonds never yield: their lines of memory need not be written back.
+        if (any(Law::has_yielded(before, history))) [[unlikely]] {
+            for (std::size_t m = 0; m < bonds.history.size(); ++m) {
+                Lane::store(bonds.history[m] + k, held(history.*History::members[m], before.*History::members[m]));
+            }
+        }
+        if constexpr (Law::breaks) {
+            some_fail |= held.mark_failing(bonds.broken + k, Law::broken(bonds.params, radius, motion, history));
+        }
+        if constexpr (damped) {
+            const typename Lane::Picked i(bonds.i + k);
+            const typename Lane::Picked j(bonds.j + k);
+            const Vector2<T> v{j.of(elements.vx) - i.of(elements.vx), j.of(elements.vy) - i.of(elements.vy)};
+            const T spin = s * i.of(elements.spin) + (1.0 - s) * j.of(elements.spin);
+            const law::BondForce<T> rate{dot(v, motion.normal),
+                                         l * (dot(v, turned_left(motion.normal)) * motion.inverse_length - spin)};
+            add_dashpots<Lane>(bonds, k, held, rate, dt, force);
+        }
+        const T couple = held(force.shear * l);
+        const Vector2<T> f =
+            held(force.normal) * motion.normal + (couple * motion.inverse_length) * turned_left(motion.normal);
+        Lane::store(bonds.fx + k, f.x);
+        Lane::store(bonds.fy + k, f.y);
+        Lane::store(bonds.moment_i + k, couple * s);
+        Lane::store(bonds.moment_j + k, couple * (1.0 - s));
+    }
+    return some_fail;
+}
+
+/// A kernel. `Lane` says how rows are read and written: OneLane below or SeveralLanes (step/several_lanes.hpp). Two short
+/// loops instead of a long one: a processor overlaps more rows where fewer operations wait for each other.
+template <class Lane, class Law, bool damped>
+bool bond_forces(const BondRows<Law>& bonds, const ElementRows& elements, double dt, std::size_t begin,
+                 std::size_t end) {
+    bool some_fail = false;
+    MotionBlock block;
+    while (begin < end) {
+        const std::size_t stop = begin + MotionBlock::rows < end ? begin + MotionBlock::rows : end;
+        measure<Lane>(bonds, elements, begin, stop, block);
+        some_fail |= respond<Lane, Law, damped>(bonds, elements, dt, begin, stop, block);
+        begin = stop;
+    }
+    return some_fail;
+}
+
+/// One row at a time.
+struct OneLane {
+    using Number = double;
+    static constexpr std::size_t width = 1;
+
+    static double load(const double* from) { return *from; }
+    static void store(double* to, double value) { *to = value; }
+
+    struct Picked {
+        Index row;
+        explicit Picked(const Index* rows) : row(*rows) {}
+        [[nodiscard]] double of(const double* column) const { return column[row]; }
+    };
+
+    /// Which rows hold; all of them where there is no mark.
+    struct Held {
+        bool here;
+        explicit Held(const std::uint8_t* broken) : here(broken == nullptr || *broken == 0) {}
+        [[nodiscard]] bool none() const { return !here; }
+        /// The value where the row holds, `other` where it does not.
+        double operator()(double value, double /*other*/ = 0.0) const { return value; }
+        static bool mark_failing(std::uint8_t* broken, bool fails) {
+            if (fails) *broken = state::failing;
+            return fails;
+        }
+    };
+};
+
+} // namespace demlua::step

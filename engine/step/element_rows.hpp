@@ -1,0 +1,111 @@
+// Elements, row by row: sums of the forces on them, and their motion. The same arithmetic for one row or for several.
+#pragma once
+
+#include "engine/base/lanes.hpp"
+#include "engine/state/pair_slots.hpp"
+
+#include <cstddef>
+
+namespace demlua::step {
+
+/// Forces in pairs, and where each element finds its own.
+struct PairSums {
+    const double *fx, *fy, *moment_i, *moment_j; ///< with a row of zeros after the last
+    const Index *start, *row;                    ///< of state::PairSlots
+    double *sum_x, *sum_y, *sum_moment;          ///< of the slots' first element
+};
+
+/// Adds the forces of pairs to elements [begin, end), counted from the slots' first.
+using SumKernel = void (*)(const PairSums& sums, std::size_t begin, std::size_t end);
+
+template <class Lane>
+void sum_pairs(const PairSums& sums, std::size_t begin, std::size_t end) {
+    using T = typename Lane::Number;
+    constexpr std::size_t block = state::PairSlots::block;
+    for (std::size_t e = begin; e < end; e += Lane::width) {
+        T fx = Lane::load(sums.sum_x + e);
+        T fy = Lane::load(sums.sum_y + e);
+        T moment = Lane::load(sums.sum_moment + e);
+        const Index* start = sums.start + 2 * (e / block);
+        for (Index slot = start[0]; slot < start[1]; ++slot) {
+            const typename Lane::Picked pair(sums.row + block * slot + e % block);
+            fx += pair.of(sums.fx);
+            fy += pair.of(sums.fy);
+            moment += pair.of(sums.moment_i);
+        }
+        for (Index slot = start[1]; slot < start[2]; ++slot) {
+            const typename Lane::Picked pair(sums.row + block * slot + e % block);
+            fx -= pair.of(sums.fx);
+            fy -= pair.of(sums.fy);
+            moment += pair.of(sums.moment_j);
+        }
+        Lane::store(sums.sum_x + e, fx);
+        Lane::store(sums.sum_y + e, fy);
+        Lane::store(sums.sum_moment + e, moment);
+    }
+}
+
+/// Where the columns of elements begin that move; `spent` is null where mass damping takes nothing.
+struct MotionRows {
+    double *ux, *uy, *rotation, *vx, *vy, *spin, *fx, *fy, *moment;
+    const double *inverse_mass, *inverse_inertia;
+    double* spent;
+};
+
+/// A step of motion; see step/motion.hpp for keep and gain.
+struct MotionTerms {
+    double keep = 1.0;
+    double gain = 0.0;  ///< s
+    double dt = 0.0;    ///< s
+    double alpha = 0.0; ///< 1/s
+    double gx = 0.0;    ///< m/s^2
+    double gy = 0.0;
+    double speed_limit = 0.0; ///< m/s
+};
+
+struct Fastest {
+    double speed_squared = 0.0;
+    bool beyond_limit = false; ///< or no number
+};
+
+/// Kicks and moves elements [begin, end) and leaves gravity as the force on them.
+using MotionKernel = Fastest (*)(const MotionRows& rows, const MotionTerms& terms, std::size_t begin, std::size_t end);
+
+template <class Lane, bool damped, bool heavy>
+Fastest move_rows(const MotionRows& rows, const MotionTerms& terms, std::size_t begin, std::size_t end) {
+    using T = typename Lane::Number;
+    const T limit = terms.speed_limit * terms.speed_limit;
+    T fastest{};
+    auto fine = fastest <= limit;
+    for (std::size_t k = begin; k < end; k += Lane::width) {
+        const T inverse_mass = Lane::load(rows.inverse_mass + k);
+        const T inverse_inertia = Lane::load(rows.inverse_inertia + k);
+        const Vector2<T> v{Lane::load(rows.vx + k), Lane::load(rows.vy + k)};
+        const T spin = Lane::load(rows.spin + k);
+        const Vector2<T> next{terms.keep * v.x + terms.gain * (Lane::load(rows.fx + k) * inverse_mass),
+                              terms.keep * v.y + terms.gain * (Lane::load(rows.fy + k) * inverse_mass)};
+        const T next_spin = terms.keep * spin + terms.gain * (Lane::load(rows.moment + k) * inverse_inertia);
+        if constexpr (damped) {
+            const Vector2<T> mean = T{0.5} * (v + next);
+            const T mean_spin = 0.5 * (spin + next_spin);
+            Lane::store(rows.spent + k, terms.alpha * terms.dt *
+                                            (dot(mean, mean) / inverse_mass + mean_spin * mean_spin / inverse_inertia));
+        }
+        const T speed_squared = dot(next, next);
+        fastest = larger(fastest, speed_squared);
+        fine = both(fine, speed_squared <= limit);
+        Lane::store(rows.vx + k, next.x);
+        Lane::store(rows.vy + k, next.y);
+        Lane::store(rows.spin + k, next_spin);
+        Lane::store(rows.ux + k, Lane::load(rows.ux + k) + terms.dt * next.x);
+        Lane::store(rows.uy + k, Lane::load(rows.uy + k) + terms.dt * next.y);
+        Lane::store(rows.rotation + k, Lane::load(rows.rotation + k) + terms.dt * next_spin);
+        const T mass = heavy ? 1.0 / inverse_mass : T{};
+        Lane::store(rows.fx + k, heavy ? mass * terms.gx : T{});
+        Lane::store(rows.fy + k, heavy ? mass * terms.gy : T{});
+        Lane::store(rows.moment + k, T{});
+    }
+    return {largest(fastest), any(!fine)};
+}
+
+} // namespace demlua::step

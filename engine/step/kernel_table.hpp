@@ -1,0 +1,31 @@
+// Fills the table of kernels for one way of reading rows. Included once per width, in files compiled for it.
+#pragma once
+
+#include "engine/step/kernels.hpp"
+
+namespace demlua::step {
+
+template <class Lane>
+struct KernelTable {
+    template <class Law>
+    static constexpr PairKernels<Law> of(PairKernels<Law>* /*wanted*/) {
+        return {bond_forces<Lane, Law, false>, bond_forces<Lane, Law, true>};
+    }
+    template <class Law>
+    static constexpr FacetKernels<Law> of(FacetKernels<Law>* /*wanted*/) {
+        return {};
+    }
+    template <class... Each>
+    static constexpr std::tuple<Each...> all(std::tuple<Each...>* /*wanted*/) {
+        return {of(static_cast<Each*>(nullptr))...};
+    }
+    static constexpr Kernels make() {
+        return {Lane::width,
+                sum_pairs<Lane>,
+                {move_rows<Lane, false, false>, move_rows<Lane, true, false>, move_rows<Lane, false, true>,
+                 move_rows<Lane, true, true>},
+                all(static_cast<decltype(Kernels::bonds)*>(nullptr))};
+    }
+};
+
+} // namespace demlua::step

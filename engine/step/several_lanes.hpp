@@ -1,0 +1,57 @@
+// Rows of bonds read and written several at a time. Included only where base/lane_vectors.hpp may be.
+#pragma once
+
+#include "engine/base/lane_vectors.hpp"
+#include "engine/state/bonds.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+namespace demlua::step {
+
+template <std::size_t W>
+struct SeveralLanes {
+    using Number = Lanes<W>;
+    static constexpr std::size_t width = W;
+
+    DEMLUA_INLINE static Number load(const double* from) { return loaded<W>(from); }
+    DEMLUA_INLINE static void store(double* to, Number value) { demlua::store(to, value); }
+
+    /// Rows that follow each other, as most do where elements stand in rows, are loaded whole.
+    struct Picked {
+        const Index* rows;
+        bool follow;
+        DEMLUA_INLINE explicit Picked(const Index* from) : rows(from), follow(in_a_row<W>(from)) {}
+        [[nodiscard]] DEMLUA_INLINE Number of(const double* column) const {
+            return follow ? loaded<W>(column + *rows) : picked<W>(column, rows);
+        }
+    };
+
+    struct Held {
+        const std::uint8_t* marks; ///< null where nothing breaks
+        bool all = true;
+        DEMLUA_INLINE explicit Held(const std::uint8_t* from) : marks(from) {
+            if (from != nullptr) all = !any_set<W>(from);
+        }
+        [[nodiscard]] DEMLUA_INLINE bool none() const { return !all && all_set<W>(marks); }
+        DEMLUA_INLINE Number operator()(Number value, Number other = {}) const {
+            if (all) [[likely]]
+                return value;
+            return select(where_zero<W>(marks), value, other);
+        }
+        DEMLUA_INLINE bool mark_failing(std::uint8_t* to, LaneMask<W> fails) const {
+            if (!any(fails)) [[likely]]
+                return false;
+            bool some = false;
+            for (std::size_t l = 0; l < W; ++l) {
+                if (fails.v[l] == 0 || to[l] != 0) continue;
+                to[l] = state::failing;
+                some = true;
+            }
+            return some;
+        }
+    };
+};
+
+} // namespace demlua::step
