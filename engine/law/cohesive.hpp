@@ -91,7 +91,7 @@ struct Cohesive {
     /// How far one that may has come to it: 1 when it wakes. `tension`: larger principal stress of the mean of its cells,
     /// times t, N/m.
     static double waking(const Tractions& p, double A, BondForce<double> force, double tension) {
-        return larger(tension / p.strength, pull(force) / (lone_share * p.strength * A));
+        return larger(tension / p.strength, force.normal / (lone_share * p.strength * A));
     }
 
     /// c of a plastic displacement, or of the direction of one.
