@@ -2,7 +2,8 @@
 -- Source:   Hondros 1959 (scenarios/shared/handbook.lua, disc_tension): 2 P/(pi D t) at the centre for loads on lines, and three
 --           times as much pressure along the load. Even vertical loads on the chords of two arcs of half angle a: the same times
 --           (sin 2a + sin(4a)/2)/(4 sin a), as at the centre nothing of them counts but mean and second harmonic of the pressure.
--- See:      stress_xx in elements.pvd; cracks.pvd: the facets that part. With driver=dynamic two flat platens close on the disc.
+-- See:      stress_xx in elements.pvd, up to the last rest. With driver=dynamic two flat platens close until the disc is split along
+--           the load, with wedges under the platens: cracks.pvd.
 --           Other laws have caps on shear that the pressure reaches first: "plateau" and "softening" split at half the strength.
 -- Takes:    a few seconds, platens ten; the study a minute.
 local dem = require "dem"

@@ -3,7 +3,7 @@
 --           holds where notch and ligament are many times a_t = (K_Ic/strength)^2/pi. Bonds that have both a strength and a fracture
 --           energy lie below it: beside it stands a cohesive zone on the crack's line with linear softening, solved with finite
 --           elements (docs/theory/references.md, section Cracks), 10 % lower at a depth of 25 a_t, 5 % at 50, 3 % at 100.
--- See:      cracks.pvd over elements.pvd: a crack from the notch up to the loaded side; the force at which there is no rest any more.
+-- See:      cracks.pvd over elements.pvd: the notch and the first facets broken ahead of it; the force at which there is no rest any more.
 -- Takes:    ten seconds; the study a minute.
 -- Quick:    no
 local dem = require "dem"
