@@ -194,9 +194,11 @@ TEST_CASE("a dormant facet is elastic, and pressure alone neither wakes nor yiel
 }
 
 TEST_CASE("in a uniform pull all facets wake at the tensile strength, whatever its direction") {
-    // Rankine on a uniform stress: s1 = s. At 1 - 1e-6 of it nothing wakes, at 1 + 1e-6 everything that bears 0.4 s A t.
+    // Rankine on a uniform stress: s1 = s, whatever the pressure across, as in the middle of a split disc. At 1 - 1e-6 of it
+    // nothing wakes, at 1 + 1e-6 everything that bears 0.4 s A t.
     const Pack pack = GENERATE(Pack::rows, Pack::relaxed);
     const double angle = GENERATE(0.0, 30.0, 45.0, 90.0) * degree;
+    const double pressure = GENERATE(0.0, 3.0);
     const double nu = 0.3;
     const model::Material material = stiff_concrete();
     const state::State rest = state::assemble(bar({0.16, 0.16}, 0.0, pack, 0.005, material)).state;
@@ -206,7 +208,8 @@ TEST_CASE("in a uniform pull all facets wake at the tensile strength, whatever i
         const double e = load * strength / material.youngs_modulus;
         for (std::size_t k = 0; k < state.elements.size(); ++k) {
             const Vec2 at = state.elements.position(k);
-            const Vec2 u = e * dot(at, n) * n - nu * e * dot(at, turned_left(n)) * turned_left(n);
+            const Vec2 u = e * (1.0 + nu * pressure) * dot(at, n) * n -
+                           e * (pressure + nu) * dot(at, turned_left(n)) * turned_left(n);
             state.elements.ux[k] = u.x;
             state.elements.uy[k] = u.y;
         }

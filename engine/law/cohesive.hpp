@@ -4,7 +4,7 @@
 //   dormant (cap = 0)   elastic
 //   wakes               at a settled instant with fn > 0, when
 //                         |f+| >= 0.4 s A t  and  s1 >= s,  s1 the larger principal stress of the mean of its two cells, or
-//                         |f+| >= 1.5 s A t;
+//                         fn >= 1.5 s A t;
 //                       then cap = |f+| of that instant
 //   awake               |f+| <= q cap                     fn >= 0
 //                       |ft| <= q cap + mu |fn|           fn < 0; the pressure itself has no limit
@@ -30,8 +30,9 @@ struct Cohesive {
     static constexpr bool yields = true;
     static constexpr bool wakes = true;
 
-    static constexpr double least_share = 0.4;  ///< of s A t: below it a facet does not wake
-    static constexpr double lone_share = 1.5;   ///< of s A t: from it on a facet wakes whatever its cells bear
+    static constexpr double least_share = 0.4; ///< of s A t: below it a facet does not wake
+    static constexpr double lone_share =
+        1.5; ///< of s A t: a tension from which on a facet wakes whatever its cells bear
     static constexpr double least_cosine = 0.3; ///< least c
 
     struct Params {
@@ -91,7 +92,7 @@ struct Cohesive {
     /// How far one that may has come to it: 1 when it wakes. `tension`: larger principal stress of the mean of its cells,
     /// times t, N/m.
     static double waking(const Tractions& p, double A, BondForce<double> force, double tension) {
-        return larger(tension / p.strength, pull(force) / (lone_share * p.strength * A));
+        return larger(tension / p.strength, force.normal / (lone_share * p.strength * A));
     }
 
     /// c of a plastic displacement, or of the direction of one.
@@ -149,8 +150,8 @@ struct Cohesive {
         return history.damage >= 1.0;
     }
 
-    /// Greatest tension and greatest shear force without the other, N; of a dormant facet those that wake it whatever its
-    /// cells bear.
+    /// Greatest tension and greatest shear force without the other, N; of a dormant facet, for both, the tension that wakes it
+    /// whatever its cells bear.
     template <class T>
     static BondForce<T> caps(const Params& p, T /*radius*/, const History<T>& history) {
         const T bears = history.cap > 0.0 ? square_root(1.0 - history.damage) * history.cap : lone_share * p.strength;
