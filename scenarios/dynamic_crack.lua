@@ -1,6 +1,6 @@
 -- Question: how fast does a crack run through a strip that is already strained, and when does it branch?
--- Source:   no crack runs faster along its plane than Rayleigh waves (L. B. Freund, Dynamic Fracture Mechanics, Cambridge 1990,
---           section 7.4). A long strip between held edges gives a crack sigma^2 height/(2 E) of energy per area.
+-- Source:   no crack runs faster along its plane than Rayleigh waves (L. B. Freund, Dynamic Fracture Mechanics, Cambridge 1990).
+--           A long strip between held edges gives a crack sigma^2 height/(2 E) of energy per area.
 -- See:      cracks.pvd coloured by time over elements.pvd; `tip` in history.csv: the foremost break that the crack has reached.
 -- Takes:    seven seconds. Speeds and branches by load: docs/dynamic_crack.md.
 local dem = require "dem"

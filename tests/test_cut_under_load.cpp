@@ -35,12 +35,14 @@ TEST_CASE("a cut through a strained block sets its halves free, and the ledger k
     CHECK(sim.broken_bonds() > 10);
     CHECK(sim.ledger().fracture > 0.0);
     CHECK(std::fabs(sim.ledger().error) < 1e-12 * stored);
-    // Both halves swing about their unstrained shape: a quarter of a period after the cut, about 2 * 0.05 m/(3500 m/s) later,
-    // most of what was stored is motion. Central difference keeps the energy of a linear system.
+    // Both halves swing about their unstrained shape: within 1e-4 s, some periods, most of what was stored is motion at some
+    // instant. Forces that jump are kinetic energy of half a step, sum dt^2 f^2/(8 m) of the elements beside the cut, or
+    // (w dt)^2/8 of their share of what was stored, a tenth: below 1e-2. Forces left behind by the cut would do work of the
+    // order of what was stored.
     double most = 0.0;
     sim.run(1e-4, {test::watching(0.0, [&](observe::Simulation& now) {
                 most = std::max(most, now.ledger().kinetic);
-                CHECK(std::fabs(now.ledger().error) < 1e-6 * stored);
+                CHECK(std::fabs(now.ledger().error) < 1e-2 * stored);
             })});
     CHECK(most > 0.5 * (stored - sim.ledger().fracture));
 }
