@@ -69,7 +69,8 @@ model::Scene drawn_strip(const model::BondChoice& bonds, const std::vector<std::
     std::vector<model::Disk> disks;
     for (const std::size_t each : place) disks.push_back({strip().at[each], R});
     model::Body body = test::disks("strip", disks, bonds);
-    const double half = R * (2 * half_rows + 1);
+    // Not 1: the corner that three cells share would lie on the wall itself, and round-off say which of them have it.
+    const double half = R * (2 * half_rows + 0.8);
     body.region = model::Region::rectangle({-R, -half}, {pitch * (columns - 1) + 2.0 * R, 2.0 * half});
     scene.bodies.push_back(body);
     for (const double y : {0.5 * R, -0.5 * R}) {
@@ -176,7 +177,6 @@ TEST_CASE("a crack on a mirror line stays there, whatever numbers the elements h
     CHECK(difference(plain, mirrored(plain)) < 1e-9);
     CHECK(plain.broken == mirrored(plain).broken);
     CHECK(drawn(false, 3).second == hash);
-    if (facets) return;
     const auto shuffled = drawn(true, 1).first;
     CHECK(difference(plain, shuffled) < 1e-9);
     CHECK(plain.broken == shuffled.broken);
