@@ -61,6 +61,15 @@ constexpr StrengthCaps strength_caps(ContactStiffness k, PlaneModuli plane, doub
     return p;
 }
 
+/// `strength` times as strong, for `energy` times the fracture energy.
+constexpr StrengthCaps scaled(StrengthCaps p, double strength, double energy) {
+    p.stretch_per_radius *= strength;
+    p.shear_per_radius *= strength;
+    p.opening *= energy / strength;
+    p.slip *= energy / strength;
+    return p;
+}
+
 constexpr FacetCaps facet_caps(PlaneModuli plane, double thickness, double strength, double toughness,
                                double rate_factor) {
     const double energy = rate_factor * fracture_energy(toughness, plane);

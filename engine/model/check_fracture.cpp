@@ -76,6 +76,27 @@ std::vector<std::string> missing_settings(const Body& body, const Material& mate
     });
 }
 
+/// Strain-rate factors that nothing asks for, or that would count twice.
+void check_rates(const Body& body, const Material& material, std::vector<Problem>& problems) {
+    with_bonds(body, false, [&](const auto& bonds) {
+        if constexpr (takes_rates<std::decay_t<decltype(bonds)>>) {
+            const std::string word = law_name(body).substr(4);
+            if (bonds.rate_window && !bonds.rate_compressive_strength) {
+                problems.push_back({body.place, word + ".rate_window", text_of(*bonds.rate_window),
+                                    "does nothing without " + word + ".rate_compressive_strength", ""});
+            }
+            if (bonds.rate_compressive_strength && material.rate_factor != 1.0) {
+                problems.push_back({body.place, word + ".rate_compressive_strength",
+                                    text_of(*bonds.rate_compressive_strength),
+                                    "would count strain rates twice: material \"" + material.name +
+                                        "\" has a rate_factor of " + text_of(material.rate_factor),
+                                    "leave one of them away"});
+            }
+        }
+        return true;
+    });
+}
+
 /// Radius of a body's elements where its settings say it.
 std::optional<double> radius_said(const Body& body) {
     if (const auto* close = std::get_if<ClosePacking>(&body.packing)) return close->radius;
@@ -91,6 +112,7 @@ void check_bonds(const Scene& scene, const Body& body, std::vector<Problem>& pro
     if (!network || body.material >= scene.materials.size()) return;
     const Material& material = scene.materials[body.material];
     const std::vector<std::string> missing = missing_settings(body, material);
+    check_rates(body, material, problems);
     for (const std::string& setting : missing) {
         problems.push_back({body.place, "body.bonds", law_name(body),
                             "needs " + setting + " in material \"" + material.name + '"', ""});

@@ -86,6 +86,18 @@ inline DerivedLaw<law::Cohesive> derived(const CohesiveBonds& /*said*/, const Ma
             law::Cohesive::derive_tractions(m.moduli, m.thickness, m.strength, m.toughness, m.rate_factor, m.friction)};
 }
 
+/// Whether a choice of bonds takes strain-rate factors.
+template <class Choice>
+inline constexpr bool takes_rates = requires(const Choice& said) {
+    said.rate_compressive_strength;
+};
+
+/// The same law under strain-rate factors.
+template <class Law>
+DerivedLaw<law::RateDependent<Law>> rate_dependent(const DerivedLaw<Law>& plain, law::RateParams rate) {
+    return {{plain.params, rate}, {plain.tractions, rate}};
+}
+
 template <class Choice>
 using LawOf = typename decltype(derived(std::declval<const Choice&>(), std::declval<const Matter&>()))::law;
 

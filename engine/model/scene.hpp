@@ -64,10 +64,15 @@ struct PlateauBonds : BondSettings {
     static constexpr bool needs_strength = true;
     static constexpr bool needs_toughness = true;
     bool break_in_shear = false; ///< also break when the plastic slip has spent the fracture energy (fig. 14b)
+    // strain-rate factors (law/rate_dependent.hpp), of laws that take them
+    std::optional<double> rate_compressive_strength = std::nullopt; ///< of the concrete, Pa; none: no factors
+    std::optional<double> rate_window = std::nullopt;               ///< over which rates are averaged, s
 };
 struct SofteningBonds : BondSettings {
     static constexpr bool needs_strength = true;
     static constexpr bool needs_toughness = true;
+    std::optional<double> rate_compressive_strength = std::nullopt;
+    std::optional<double> rate_window = std::nullopt;
 };
 struct BrittleTensileBonds : BondSettings {
     static constexpr bool needs_strength = true;

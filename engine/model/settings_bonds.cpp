@@ -33,6 +33,19 @@ WordOf<T> bond_law(std::string call, std::string meaning, std::string example, s
     return word<T>(std::move(call), std::move(meaning), "a bond law", std::move(example), std::move(table));
 }
 
+/// Settings of laws that strain rates can make stronger, after their own.
+template <class T>
+std::vector<Row<T>> with_rates(std::vector<Row<T>> own = {}) {
+    own.push_back(row<&T::rate_compressive_strength>(
+        "rate_compressive_strength", "Pa", optional, positive,
+        "static compressive strength of the concrete: bonds are then stronger, and cost more, the faster they are "
+        "stretched when they first yield (Malvar & Crawford 1998); without, strain rates do nothing"));
+    own.push_back(row<&T::rate_window>("rate_window", "s", optional, positive,
+                                       "time over which a bond's strain rate is averaged; without, ten times that in "
+                                       "which a wave passes one bond"));
+    return own;
+}
+
 } // namespace
 
 const WordOf<ElasticBonds>& elastic() {
@@ -47,8 +60,8 @@ const WordOf<PlateauBonds>& plateau() {
         "Bonds that yield at the tensile strength and break when the fracture energy is spent (Tavarez & Plesha "
         "2007, eqs 32-36).",
         "dem.plateau { search = 0.1, damping = 0.02 }",
-        {row<&PlateauBonds::break_in_shear>("break_in_shear", optional,
-                                            "also break when plastic slip has spent the fracture energy")});
+        with_rates<PlateauBonds>({row<&PlateauBonds::break_in_shear>(
+            "break_in_shear", optional, "also break when plastic slip has spent the fracture energy")}));
     return made;
 }
 
@@ -57,7 +70,7 @@ const WordOf<SofteningBonds>& softening() {
         "dem.softening",
         "Bonds whose tension and shear, once at the tensile strength, fall in a straight line to nothing while the "
         "fracture energy is spent (Tavarez & Plesha 2007, fig. 16).",
-        "dem.softening { search = 0.1, damping = 0.02 }");
+        "dem.softening { search = 0.1, damping = 0.02 }", with_rates<SofteningBonds>());
     return made;
 }
 

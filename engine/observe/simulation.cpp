@@ -10,6 +10,7 @@
 #include "engine/state/loading.hpp"
 #include "engine/state/parts.hpp"
 #include "engine/state/selection.hpp"
+#include "engine/step/loads.hpp"
 #include "engine/step/quasi_static.hpp"
 #include "engine/step/real_moduli.hpp"
 #include "engine/step/static_solve.hpp"
@@ -23,6 +24,7 @@
 #include <limits>
 #include <thread>
 #include <utility>
+#include <variant>
 
 namespace demlua::observe {
 
@@ -196,6 +198,7 @@ void Simulation::take_in(const model::Scene& scene) {
 }
 
 void Simulation::take_in(const model::Notch& notch) {
+    const double held = inside_->started ? ledger_of(*state_).bonds : 0.0;
     if (state::cut(*state_, notch.body, notch.from, notch.to) == 0) {
         throw SceneError(
             Problem{notch.place, "notch", "", "cuts no bond of body \"" + state_->bodies.at(notch.body).name + '"',
@@ -203,6 +206,24 @@ void Simulation::take_in(const model::Notch& notch) {
     }
     inside_->stepper.search.travelled = std::numeric_limits<double>::infinity();
     inside_->step_outdated = true;
+    if (inside_->started) release(notch.body, held);
+}
+
+/// Forces without bonds of `body` that have just been cut. What they and their cells held of `before`, the energy of all
+/// bonds, is booked as that of breaking bonds.
+void Simulation::release(std::size_t body, double before) {
+    const double dt = std::exchange(state_->dt, 0.0);
+    step::compute_forces(*state_, inside_->stepper);
+    state_->dt = dt;
+    if (!state_->drives.empty()) step::apply_drives(*state_);
+    const double released = before - ledger_of(*state_).bonds;
+    for (state::AnyBondSet& any : state_->bond_sets) {
+        std::visit(
+            [&](auto& bonds) {
+                if (bonds.body == body) bonds.fracture_work += released;
+            },
+            any);
+    }
 }
 
 void Simulation::take_in(const model::Damping& said) {

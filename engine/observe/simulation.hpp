@@ -133,6 +133,7 @@ private:
 
     void take_in(const model::Notch& notch);
     void take_in(const model::Damping& said);
+    void release(std::size_t body, double before);
     void add_drives(std::vector<std::size_t>& rows, std::vector<state::Drive> drives);
     void prepare(const std::vector<double>& intervals);
     void start_once();

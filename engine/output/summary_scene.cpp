@@ -75,6 +75,10 @@ template <class Choice>
 Json bonds_json(const Choice& bonds) {
     Json json{{"law", model::LawOf<Choice>::name}, {"search", bonds.search}, {"damping", bonds.damping}};
     if constexpr (std::is_same_v<Choice, model::PlateauBonds>) json["break_in_shear"] = bonds.break_in_shear;
+    if constexpr (model::takes_rates<Choice>) {
+        put(json, "rate_compressive_strength", bonds.rate_compressive_strength);
+        put(json, "rate_window", bonds.rate_window);
+    }
     return json;
 }
 

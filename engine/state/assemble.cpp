@@ -3,6 +3,7 @@
 #include "engine/base/cell_grid.hpp"
 #include "engine/law/restitution.hpp"
 #include "engine/model/check_fracture.hpp"
+#include "engine/model/derived_law.hpp"
 #include "engine/packing/packing.hpp"
 #include "engine/state/bond_assembly.hpp"
 #include "engine/state/parts.hpp"
@@ -254,6 +255,30 @@ void look_at_sizes(const model::Scene& scene, const model::Body& said, model::Ne
     }
 }
 
+/// Strain rates averaged over less than a few steps would be those of the shortest vibration.
+void look_at_window(const model::Scene& scene, const model::Body& said, const State& state, std::size_t row,
+                    std::vector<Problem>& problems) {
+    const model::Material& material = scene.materials[said.material];
+    std::visit(
+        [&](const auto& bonds) {
+            using Choice = std::decay_t<decltype(bonds)>;
+            if constexpr (model::takes_rates<Choice>) {
+                if (!bonds.rate_window) return;
+                const double shortest =
+                    5.0 * wave_time(state, state.bodies[row], model::plane_moduli_of(material, scene.plane),
+                                    material.density);
+                if (*bonds.rate_window >= shortest) return;
+                problems.push_back({said.place, std::string(model::LawOf<Choice>::name) + ".rate_window",
+                                    fmt::format("{} s", *bonds.rate_window),
+                                    fmt::format("must be at least {:.6g} s, five times that in which a wave passes "
+                                                "one of the elements of body \"{}\"",
+                                                shortest, said.name),
+                                    ""});
+            }
+        },
+        said.bonds);
+}
+
 } // namespace
 
 PairRule pair_rule(const MaterialFacts& a, const MaterialFacts& b) {
@@ -305,6 +330,7 @@ Assembly assemble(const model::Scene& scene, const packing::PackStore* packs) {
         }
         if (bonds) {
             look_at_sizes(scene, said, *network, *bonds, problems, assembly.notes);
+            look_at_window(scene, said, state, row, problems);
         }
         assembly.notes.push_back(describe(state, row, network, bonds ? &*bonds : nullptr));
         if (bonds) state.bond_sets.push_back(std::move(*bonds));

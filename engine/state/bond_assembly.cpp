@@ -117,6 +117,13 @@ template <class Law>
 void free_wall(BondSet<Law>& /*bonds*/, std::size_t /*k*/) {}
 
 template <class Law>
+void leave_cells(BondSet<Law>& /*bonds*/, std::size_t /*k*/) {}
+template <class Law>
+void leave_cells(FacetSet<Law>& bonds, std::size_t k) {
+    bonds.grown_i[k] = bonds.grown_j[k] = 0.0;
+}
+
+template <class Law>
 FacetSet<Law> facets_of(const State& state, const BondedBody& said, double damping, const law::FacetModuli& moduli,
                         const typename Law::Tractions& tractions) {
     const Body& body = state.bodies[said.body];
@@ -162,7 +169,29 @@ AnyBondSet bonds_of(const State& state, const BondedBody& said, const Choice& ch
     }
 }
 
+/// With the strain-rate factors that the choice asks for.
+template <class Choice>
+AnyBondSet under_rates(const State& state, const BondedBody& said, const Choice& choice,
+                       const model::Material& material, const model::Matter& matter) {
+    const auto plain = derived(choice, matter);
+    if constexpr (model::takes_rates<Choice>) {
+        if (choice.rate_compressive_strength) {
+            const double wave = wave_time(state, state.bodies[said.body], matter.moduli, material.density);
+            const law::RateParams rate{law::rate_exponent(*choice.rate_compressive_strength),
+                                       choice.rate_window.value_or(10.0 * wave)};
+            return bonds_of(state, said, choice, matter.moduli, model::rate_dependent(plain, rate));
+        }
+    }
+    return bonds_of(state, said, choice, matter.moduli, plain);
+}
+
 } // namespace
+
+double wave_time(const State& state, const Body& body, law::PlaneModuli moduli, double density) {
+    double radii = 0.0;
+    for (std::size_t k = body.first; k < body.last; ++k) radii += state.elements.radius[k];
+    return 2.0 * radii / static_cast<double>(body.size()) * std::sqrt(density / moduli.youngs_modulus);
+}
 
 std::optional<AnyBondSet> bond_body(const State& state, const BondedBody& said, const model::BondChoice& choice,
                                     const model::Material& material, model::Plane plane) {
@@ -172,7 +201,7 @@ std::optional<AnyBondSet> bond_body(const State& state, const BondedBody& said, 
             if constexpr (std::is_same_v<std::decay_t<decltype(bonds)>, model::NoBonds>) {
                 return std::nullopt;
             } else {
-                AnyBondSet set = bonds_of(state, said, bonds, matter.moduli, derived(bonds, matter));
+                AnyBondSet set = under_rates(state, said, bonds, material, matter);
                 const bool empty = std::visit([](const auto& made) { return made.size() == 0; }, set);
                 return empty ? std::nullopt : std::optional<AnyBondSet>(std::move(set));
             }
@@ -211,6 +240,8 @@ std::size_t cut(State& state, std::size_t body, Vec2 from, Vec2 to) {
                         state.cracks.push_back(crack);
                         bonds.broken[k] = 1;
                         free_wall(bonds, k);
+                        leave_cells(bonds, k);
+                        bonds.fx[k] = bonds.fy[k] = bonds.moment_i[k] = bonds.moment_j[k] = 0.0;
                         bonds.contact_length[k] = std::min(bonds.length[k], touch);
                         ++bonds.broken_count;
                         ++count;

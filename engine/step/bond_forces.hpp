@@ -89,7 +89,8 @@ bool bond_forces(state::BondSet<Law>& bonds, const state::Elements& elements, do
     const BondRows<Law> rows = rows_of(bonds);
     const ElementRows moving = rows_of(elements);
     bool some_fail = false;
-    run_rows(kernels, part, [&](const Kernels& width, std::size_t begin, std::size_t end) {
+    const bool fits = std::get<PairKernels<Law>>(kernels.bonds).plain != nullptr;
+    run_rows(fits ? kernels : kernels_of(1), part, [&](const Kernels& width, std::size_t begin, std::size_t end) {
         const auto& kernel = std::get<PairKernels<Law>>(width.bonds);
         some_fail |= (bonds.dashpots.present() ? kernel.damped : kernel.plain)(rows, moving, dt, begin, end);
     });

@@ -60,6 +60,10 @@ public:
 
     // --- all bonds of the set ----------------------------------------------------------------------------------------
     [[nodiscard]] virtual std::size_t bonds() const = 0;
+    /// Whether they yield before they break.
+    [[nodiscard]] virtual bool yields() const = 0;
+    /// Middle between the elements of bond `k` at the start, m.
+    [[nodiscard]] virtual Vec2 place(std::size_t k) const = 0;
     /// Bonds that hold and have an offset from before.
     [[nodiscard]] virtual std::vector<std::size_t> offset_before() const = 0;
     /// Finds the forces in all bonds under displacements `u` and the rows' offsets.
@@ -98,6 +102,13 @@ public:
         : bonds_(bonds), elements_(elements), network_(bonds), contact_(contact), row_of_(bonds.size(), none) {}
 
     [[nodiscard]] std::size_t bonds() const override { return bonds_.size(); }
+    [[nodiscard]] bool yields() const override { return Law::yields; }
+    [[nodiscard]] Vec2 place(std::size_t k) const override {
+        const std::size_t i = bonds_.i[k];
+        const std::size_t j = bonds_.j[k];
+        return {0.5 * (elements_.reference_x[i] + elements_.reference_x[j]),
+                0.5 * (elements_.reference_y[i] + elements_.reference_y[j])};
+    }
 
     [[nodiscard]] std::vector<std::size_t> offset_before() const override {
         std::vector<std::size_t> found;
@@ -142,7 +153,8 @@ public:
         if constexpr (Law::wakes) {
             if (row.history.cap == 0.0) row.history.cap = Law::pull({force_[k][0], force_[k][1]});
         }
-        row.strength = std::max(std::fabs(force_[k][0]), std::fabs(force_[k][1]));
+        row.borne = {force_[k][0], force_[k][1]};
+        row.strength = row.borne.cwiseAbs().maxCoeff();
         row_of_[k] = rows_.size();
         rows_.push_back(row);
         return rows_.size() - 1;
@@ -207,6 +219,7 @@ private:
         std::size_t bond = 0;
         History history{};
         Eigen::Vector2d offset = Eigen::Vector2d::Zero();
+        Eigen::Vector2d borne = Eigen::Vector2d::Zero(); ///< when it was added, N
         double strength = 0.0;
         bool broken = false;
         bool settled = false;  ///< broken in the set as well
@@ -214,29 +227,28 @@ private:
         double released = 0.0; ///< stored in the bond when it broke, J
     };
 
-    /// By the law of the bond while it holds.
+    /// By the law of the bond while it holds. One that breaks without yielding does so under what it bore when it was added,
+    /// for bonds added with it may have relieved it since.
     GivenWay yield(Row& row, Eigen::Vector2d force, Eigen::Vector2d stiffness) {
-        if constexpr (Law::breaks) {
+        if constexpr (Law::breaks && !Law::yields) {
+            row.broken = true;
+            row.closed = row.offset[0];
+            row.released = 0.5 * row.borne.cwiseAbs2().cwiseQuotient(stiffness.cwiseMax(1e-300)).sum();
+            return {Eigen::Vector2d::Zero(), row.borne.norm()};
+        } else if constexpr (Law::breaks) {
             const auto [params, met] = params_against(network_, row.bond, {stiffness[0], stiffness[1]});
             const double radius = law_radius(network_, row.bond);
             History history = row.history;
             law::BondMotion<double> motion;
             motion.stretch = force[0] / met.normal;
             motion.shear = met.shear > 0.0 ? force[1] / met.shear : 0.0;
-            if constexpr (Law::yields) {
-                motion.stretch += history.stretch;
-                motion.shear += history.shear;
-            }
+            motion.stretch += history.stretch;
+            motion.shear += history.shear;
             Law::respond(params, radius, motion, history);
             row.broken = Law::broken(params, radius, motion, history);
             GivenWay given;
-            if constexpr (Law::yields) {
-                given.moved = {history.stretch - row.history.stretch, history.shear - row.history.shear};
-                given.beyond = std::hypot(met.normal * given.moved[0], met.shear * given.moved[1]);
-            } else if (row.broken) {
-                given.beyond = force.norm();
-                row.released = 0.5 * force.cwiseAbs2().cwiseQuotient(stiffness.cwiseMax(1e-300)).sum();
-            }
+            given.moved = {history.stretch - row.history.stretch, history.shear - row.history.shear};
+            given.beyond = std::hypot(met.normal * given.moved[0], met.shear * given.moved[1]);
             row.history = history;
             if (row.broken) row.closed = row.offset[0] + given.moved[0];
             return given;

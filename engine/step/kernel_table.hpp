@@ -9,7 +9,11 @@ template <class Lane>
 struct KernelTable {
     template <class Law>
     static constexpr PairKernels<Law> of(PairKernels<Law>* /*wanted*/) {
-        return {bond_forces<Lane, Law, false>, bond_forces<Lane, Law, true>};
+        // Laws that follow rates are written for one row only.
+        if constexpr (Lane::width > 1 && law::follows_rate<Law>)
+            return {nullptr, nullptr};
+        else
+            return {bond_forces<Lane, Law, false>, bond_forces<Lane, Law, true>};
     }
     template <class Law>
     static constexpr FacetKernels<Law> of(FacetKernels<Law>* /*wanted*/) {

@@ -12,6 +12,7 @@
 
 namespace demlua::step {
 
+/// Null where the law has none of this width.
 template <class Law>
 struct PairKernels {
     BondKernel<Law> plain;

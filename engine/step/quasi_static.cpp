@@ -16,7 +16,8 @@ namespace demlua::step {
 namespace {
 
 constexpr double overshoot = 0.005;      ///< by which a bond may exceed its strength before it is let fail
-constexpr double together = 0.98;        ///< bonds within this share of the nearest to failing fail at once
+constexpr double together = 0.98;        ///< bonds within this share of the nearest to failing yield at once
+constexpr double tied = 1.0 - 1e-6;      ///< the same for bonds that break without yielding, which may relieve others
 constexpr int most_sweeps = 3000;        ///< in search of one rest
 constexpr double greatest_opening = 0.1; ///< of an element's radius; beyond, displacements are not small
 constexpr double least_share = 1e-4;     ///< of the run's duration, the shortest way from rest to rest
@@ -58,8 +59,12 @@ QuasiStatic::QuasiStatic(state::State& state, Stepper& stepper, const model::Qua
     const Eigen::VectorXd nowhere = Eigen::VectorXd::Zero(per_radius_.size());
     for (const std::unique_ptr<FailingBonds>& set : sets_) {
         set->measure(nowhere);
-        for (const std::size_t bond : set->offset_before()) part_->add(*set, bond);
     }
+    std::vector<Candidate> before;
+    for (const std::unique_ptr<FailingBonds>& set : sets_) {
+        for (const std::size_t bond : set->offset_before()) before.push_back({set.get(), bond});
+    }
+    add(std::move(before));
 }
 
 std::size_t QuasiStatic::broken() const {
@@ -85,14 +90,26 @@ QuasiStatic::Trial QuasiStatic::settle(double time) {
     return trial;
 }
 
-void QuasiStatic::let_fail(double least) {
+/// From left to right and upwards, so that nothing hangs on how elements are numbered.
+void QuasiStatic::add(std::vector<Candidate> bonds) {
+    std::sort(bonds.begin(), bonds.end(), [](const Candidate& a, const Candidate& b) {
+        const Vec2 at = a.set->place(a.bond);
+        const Vec2 other = b.set->place(b.bond);
+        return at.x != other.x ? at.x < other.x : at.y < other.y;
+    });
+    for (const Candidate& each : bonds) part_->add(*each.set, each.bond);
+}
+
+/// Lets the bonds nearest to failing fail, the nearest of which is at `use`.
+void QuasiStatic::let_fail(double use) {
+    std::vector<Candidate> failing;
     for (const std::unique_ptr<FailingBonds>& set : sets_) {
-        std::vector<std::size_t> failing;
+        const double least = std::max(1.0, (set->yields() ? together : tied) * use);
         for (std::size_t k = 0; k < set->bonds(); ++k) {
-            if (set->use(k) >= least) failing.push_back(k);
+            if (set->use(k) >= least) failing.push_back({set.get(), k});
         }
-        for (const std::size_t k : failing) part_->add(*set, k);
     }
+    add(std::move(failing));
 }
 
 bool QuasiStatic::no_rest(double time, const std::string& what) {
@@ -116,7 +133,7 @@ bool QuasiStatic::follow(double time, Trial trial) {
             return no_rest(time, fmt::format("more than {} bonds yield", said_.most_failing));
         }
         if (trial.use < 1.0) break;
-        let_fail(std::max(1.0, together * trial.use));
+        let_fail(trial.use);
         trial = settle(time);
     }
     use_ = trial.use;

@@ -3,7 +3,8 @@
 // Time is only what the loads depend on. The network is factorised once; bonds that yield or break are condensed out
 // (failing_part.hpp), so that only what fails costs anything beyond. From one rest to the next the loads grow until some
 // bond has come to its strength within a small overshoot; the bonds nearest to failing are then let fail first, for when
-// they give way, others may be relieved. Where bonds break one after another while the loads stand still, either a new rest
+// they give way, others may be relieved. Equal ones fail together, and where their order matters it is that of their places, not
+// of their numbers. Where bonds break one after another while the loads stand still, either a new rest
 // is found or the crack runs: there is no rest beyond.
 //
 // Limits: displacements of first order from bonding; bonds only: no walls, rigid bodies or contacts but those of broken
@@ -43,9 +44,15 @@ private:
         double left = 0.0; ///< of a bond's strength, out of balance
     };
 
+    struct Candidate {
+        FailingBonds* set;
+        std::size_t bond;
+    };
+
     Trial settle(double time);
     bool follow(double time, Trial trial);
-    void let_fail(double least);
+    void add(std::vector<Candidate> bonds);
+    void let_fail(double use);
     bool no_rest(double time, const std::string& what);
     void keep();
     void restore();

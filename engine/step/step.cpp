@@ -6,6 +6,7 @@
 #include "engine/step/loads.hpp"
 #include "engine/step/motion.hpp"
 #include "engine/step/pair_sums.hpp"
+#include "engine/step/stretch_rates.hpp"
 #include "engine/step/waking.hpp"
 #include "engine/step/wall_parts.hpp"
 
@@ -32,8 +33,17 @@ void Clock::time(std::uint64_t step, Stage stage, const Work& work) {
 
 namespace {
 
+template <class Bonds>
+void follow_rates(const state::State& state, Stepper& stepper, Bonds& bonds) {
+    if constexpr (law::follows_rate<typename Bonds::law>) {
+        const double weight = rate_weight(bonds, state.dt);
+        stepper.team.share(bonds.size(), [&](Share part) { mean_rates(bonds, state.elements, weight, part); });
+    }
+}
+
 template <class Law>
 void compute_bonds(state::State& state, Stepper& stepper, state::BondSet<Law>& bonds) {
+    follow_rates(state, stepper, bonds);
     std::atomic<bool> some_fail{false};
     stepper.team.share(bonds.size(), [&](Share part) {
         if (bond_forces(bonds, state.elements, state.dt, part, *stepper.kernels)) some_fail = true;
@@ -49,6 +59,7 @@ void compute_bonds(state::State& state, Stepper& stepper, state::BondSet<Law>& b
 template <class Law>
 void compute_bonds(state::State& state, Stepper& stepper, state::FacetSet<Law>& bonds) {
     std::vector<std::vector<Failing<Law>>> failing(stepper.team.parts());
+    follow_rates(state, stepper, bonds);
     stepper.team.share(bonds.size(), [&](Share part) { measure_facets(bonds, state.elements, part); });
     stepper.team.share(bonds.pressure.size(), [&](Share part) {
         for (std::size_t e = part.begin; e < part.end; ++e) press_cell(bonds, e);
@@ -182,8 +193,8 @@ std::string schedule_line(const state::State& state) {
                 using Law = typename std::decay_t<decltype(bonds)>::law;
                 const bool damped = bonds.dashpots.present();
                 dashpots = dashpots || damped;
-                used.push_back(fmt::format("bonds of {}[{}{}]", state.bodies[bonds.body].name, Law::name,
-                                           damped ? ", dashpots" : ""));
+                used.push_back(fmt::format("bonds of {}[{}{}{}]", state.bodies[bonds.body].name, Law::name,
+                                           law::follows_rate<Law> ? ", strain rates" : "", damped ? ", dashpots" : ""));
             },
             any);
     }
