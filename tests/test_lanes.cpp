@@ -24,9 +24,15 @@ std::vector<std::size_t> widths() {
 }
 
 /// All that moves, after `steps` steps of a block that is torn apart: it stretches, turns and hits its own pieces.
-std::vector<double> torn(const model::BondChoice& bonds, std::size_t width, int threads, int steps) {
+std::vector<double> torn(const model::BondChoice& bonds, std::size_t width, int threads, int steps, bool facets) {
     model::Scene scene = test::scene_of(test::concrete());
     scene.bodies.push_back(test::block("block", {0.0, 0.0}, {0.6, 0.3}, 4e-3, bonds));
+    if (facets) {
+        model::Relaxation pack;
+        pack.count = 3001;
+        pack.steps = 5;
+        scene.bodies.back().packing = pack;
+    }
     scene.gravity = {0.0, -9.81};
     state::State state = state::assemble(scene).state;
     state.dt = 0.8 * step::bound_step(state);
@@ -61,17 +67,22 @@ Bonds damped(double damping) {
 } // namespace
 
 TEST_CASE("every width and every number of threads moves a breaking body alike, to the last bit", "[lanes]") {
-    const std::vector<model::BondChoice> laws{damped<model::ElasticBonds>(0.0), damped<model::PlateauBonds>(0.02),
-                                              damped<model::SofteningBonds>(0.0),
-                                              damped<model::BrittleTensileBonds>(0.02)};
+    const std::vector<model::BondChoice> laws{
+        damped<model::ElasticBonds>(0.0),          damped<model::PlateauBonds>(0.02),
+        damped<model::SofteningBonds>(0.0),        damped<model::BrittleTensileBonds>(0.02),
+        damped<model::BrittleToughnessBonds>(0.0), damped<model::CohesiveBonds>(0.02)};
     for (const model::BondChoice& law : laws) {
-        const std::vector<double> alone = torn(law, 1, 1, 300);
-        CAPTURE(law.index());
-        const bool breaks = !std::holds_alternative<model::ElasticBonds>(law);
-        CHECK((alone.back() > 100.0) == breaks);
-        for (const std::size_t width : widths()) {
-            CAPTURE(width);
-            CHECK(torn(law, width, width == 8 ? 3 : 1, 300) == alone);
+        for (const bool facets : {false, true}) {
+            const bool pairs_too = !std::holds_alternative<model::CohesiveBonds>(law);
+            if (!facets && !pairs_too) continue;
+            const std::vector<double> alone = torn(law, 1, 1, 300, facets);
+            CAPTURE(law.index(), facets);
+            const bool breaks = !std::holds_alternative<model::ElasticBonds>(law);
+            CHECK((alone.back() > 100.0) == breaks);
+            for (const std::size_t width : widths()) {
+                CAPTURE(width);
+                CHECK(torn(law, width, width == 8 ? 3 : 1, 300, facets) == alone);
+            }
         }
     }
 }

@@ -57,6 +57,13 @@ struct Brittle {
         return p.Kn * motion.stretch > p.cap * Cap::growth(radius);
     }
 
+    /// Whether a facet of length A (m) may break under `force` (N): said too often rather than too seldom.
+    template <class T>
+    static auto may_fail(const Tractions& p, T A, T radius, const BondForce<T>& force, const History<T>& /*history*/) {
+        constexpr double nearly = 1.0 - 1e-9;
+        return force.normal >= nearly * p.normal * A * Cap::stress_growth(radius);
+    }
+
     /// Greatest tension that the bond bears, N; no shear force is too great for it.
     template <class T>
     static BondForce<T> caps(const Params& p, T radius, const History<T>& /*history*/) {

@@ -17,7 +17,10 @@ struct TensileCap {
     static T growth(T radius) {
         return radius;
     }
-    static double stress_growth(double /*radius*/) { return 1.0; }
+    template <class T>
+    static T stress_growth(T /*radius*/) {
+        return T{1.0};
+    }
 };
 
 struct BrittleTensile : Brittle<TensileCap> {

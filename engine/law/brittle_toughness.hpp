@@ -22,7 +22,10 @@ struct ToughnessCap {
     static T growth(T radius) {
         return square_root(radius);
     }
-    static double stress_growth(double radius) { return 1.0 / std::sqrt(radius); }
+    template <class T>
+    static T stress_growth(T radius) {
+        return 1.0 / square_root(radius);
+    }
 };
 
 struct BrittleToughness : Brittle<ToughnessCap> {

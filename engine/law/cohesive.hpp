@@ -79,20 +79,29 @@ struct Cohesive {
     }
 
     /// |f+|, N.
-    static double pull(BondForce<double> force) {
-        const double opening = larger(0.0, force.normal);
+    template <class T>
+    static T pull(const BondForce<T>& force) {
+        const T opening = larger(T{}, force.normal);
         return square_root(opening * opening + force.shear * force.shear);
     }
 
     /// Whether a dormant facet of length A may wake, by its own force.
-    static bool may_wake(const Tractions& p, double A, BondForce<double> force) {
-        return force.normal > 0.0 && pull(force) >= least_share * p.strength * A;
+    template <class T>
+    static auto may_wake(const Tractions& p, T A, const BondForce<T>& force) {
+        return both(force.normal > 0.0, pull(force) >= least_share * p.strength * A);
     }
 
     /// How far one that may has come to it: 1 when it wakes. `tension`: larger principal stress of the mean of its cells,
     /// times t, N/m.
     static double waking(const Tractions& p, double A, BondForce<double> force, double tension) {
         return larger(tension / p.strength, force.normal / (lone_share * p.strength * A));
+    }
+
+    /// Whether a facet may yield or break: only one that is awake.
+    template <class T>
+    static auto may_fail(const Tractions& /*p*/, T /*A*/, T /*radius*/, const BondForce<T>& /*force*/,
+                         const History<T>& history) {
+        return history.cap > 0.0;
     }
 
     /// c of a plastic displacement, or of the direction of one.

@@ -36,6 +36,8 @@
 #include "engine/base/lanes.hpp"
 #include "engine/law/stiffness.hpp"
 
+#include <array>
+
 namespace demlua::law {
 
 /// Stretch (m), shear displacement (m) and turn of j against i (rad) of a bond; or what does work on them: normal and
@@ -45,6 +47,8 @@ struct FacetVector {
     T normal{};
     T shear{};
     T turn{};
+    static constexpr std::array<T FacetVector::*, 3> members{&FacetVector::normal, &FacetVector::shear,
+                                                             &FacetVector::turn};
 
     friend FacetVector operator+(FacetVector a, FacetVector b) {
         return {a.normal + b.normal, a.shear + b.shear, a.turn + b.turn};
@@ -63,6 +67,8 @@ struct FacetSprings {
     T nn{}, nt{}, tt{}; ///< N/m
     T nw{}, tw{};       ///< N
     T ww{};             ///< N m
+    static constexpr std::array<T FacetSprings::*, 6> members{&FacetSprings::nn, &FacetSprings::nt, &FacetSprings::tt,
+                                                              &FacetSprings::nw, &FacetSprings::tw, &FacetSprings::ww};
 
     friend FacetVector<T> operator*(const FacetSprings& K, FacetVector<T> q) {
         return {K.nn * q.normal + K.nt * q.shear + K.nw * q.turn, K.nt * q.normal + K.tt * q.shear + K.tw * q.turn,

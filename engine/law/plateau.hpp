@@ -75,6 +75,13 @@ struct Plateau {
                       magnitude(motion.shear) > p.slip + 0.5 * p.shear_per_radius * radius);
     }
 
+    /// Whether a facet of length A (m) may yield or break under `force` (N): said too often rather than too seldom.
+    template <class T>
+    static auto may_fail(const Tractions& p, T A, T /*radius*/, const BondForce<T>& force,
+                         const History<T>& /*history*/) {
+        return may_pass(p, A, force);
+    }
+
     /// Greatest tension and greatest shear force that the bond bears now, N.
     template <class T>
     static BondForce<T> caps(const Params& p, T radius, const History<T>& /*history*/) {

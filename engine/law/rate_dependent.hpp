@@ -98,6 +98,12 @@ struct RateDependent {
         return history.factor > 0.0 && Law::broken(at_factor(p, history.factor), radius, motion, history);
     }
 
+    /// By the caps of slow stretching, which are the least there are.
+    template <class T>
+    static auto may_fail(const Tractions& p, T A, T radius, const BondForce<T>& force, const History<T>& history) {
+        return Law::may_fail(p, A, radius, force, static_cast<const typename Law::template History<T>&>(history));
+    }
+
     /// Greatest tension and greatest shear force that the bond bears now, N.
     static BondForce<double> caps(const Params& p, double radius, const History<double>& history) {
         return Law::caps(at_factor(p, factor(p, radius, history)), radius, history);

@@ -90,6 +90,12 @@ struct Softening {
         return history.lost >= 1.0;
     }
 
+    /// Whether a facet of length A (m) may yield or break under `force` (N): said too often rather than too seldom.
+    template <class T>
+    static auto may_fail(const Tractions& p, T A, T /*radius*/, const BondForce<T>& force, const History<T>& history) {
+        return may_pass(p, (1.0 - history.lost) * A, force);
+    }
+
     /// Greatest tension and greatest shear force that the bond bears now, N.
     template <class T>
     static BondForce<T> caps(const Params& p, T radius, const History<T>& history) {

@@ -12,6 +12,8 @@
 // for every 2R it grows.
 #pragma once
 
+#include "engine/base/lanes.hpp"
+#include "engine/law/bond_motion.hpp"
 #include "engine/law/stiffness.hpp"
 
 #include <array>
@@ -84,6 +86,13 @@ constexpr FacetCaps facet_caps(PlaneModuli plane, double thickness, double stren
 /// For a facet of length A (m) that yields against the stiffness k: to be used with a radius of 1.
 constexpr StrengthCaps on_facet(const FacetCaps& p, ContactStiffness k, double A) {
     return {k.normal, k.shear, p.normal * A / k.normal, p.shear * A / k.shear, p.opening, p.slip};
+}
+
+/// Whether forces on a facet of length A come up to its caps, or within rounding of them.
+template <class T>
+auto may_pass(const FacetCaps& p, T A, const BondForce<T>& force) {
+    constexpr double nearly = 1.0 - 1e-9;
+    return either(force.normal >= nearly * p.normal * A, magnitude(force.shear) >= nearly * p.shear * A);
 }
 
 } // namespace demlua::law

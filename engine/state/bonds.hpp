@@ -79,25 +79,39 @@ struct BondSet : BondTable<Law> {
     typename Law::Params params;
 };
 
+/// Motions of bonds (law/bond_motion.hpp), in columns.
+struct MotionColumns {
+    Column<double> inverse_length, normal_x, normal_y, stretch, shear;
+
+    void resize(std::size_t rows) {
+        for (Column<double>* column : {&inverse_length, &normal_x, &normal_y, &stretch, &shear}) column->resize(rows);
+    }
+    [[nodiscard]] law::BondMotion<double> operator[](std::size_t k) const {
+        return {inverse_length[k], {normal_x[k], normal_y[k]}, stretch[k], shear[k]};
+    }
+};
+
 /// Bonds across the facets of cells, with one pressure per cell (law/facet.hpp).
 template <class Law>
 struct FacetSet : BondTable<Law> {
     typename Law::Tractions tractions;
-    Column<law::FacetSprings<double>> springs;
-    Column<law::FacetVector<double>> growth_i, growth_j; ///< of the cells of i and j with q
-    Column<double> area;                                 ///< of the facet, m
-    Column<double> centre;                               ///< of the facet, from the bond's line along t, m
-    double twice_shear = 0.0;                            ///< 2G b of the body, N/m
+    StructColumns<law::FacetSprings<double>> springs;
+    StructColumns<law::FacetVector<double>> growth_i, growth_j; ///< of the cells of i and j with q
+    Column<double> area;                                        ///< of the facet, m
+    Column<double> centre;                                      ///< of the facet, from the bond's line along t, m
+    double twice_shear = 0.0;                                   ///< 2G b of the body, N/m
     Column<double> pressure_per_growth; ///< b lam/V of each cell, N/m^3; rows from the body's first element on
 
     // as computed in the first of the two passes of a step
-    Column<law::BondMotion<double>> motion;
-    Column<double> grown_i, grown_j; ///< growth_i.q, growth_j.q, m^2
+    MotionColumns motion;
+    Column<double> grown_i, grown_j; ///< growth_i.q, growth_j.q, m^2; a row of zeros after the last, for `slots`
     Column<double> pressure;         ///< p of each cell, N/m
 
     // only for laws that break
-    Column<double> normal, shear;           ///< forces at the last instant, dashpots left out, N
-    Column<law::ContactStiffness> yielding; ///< what a facet meets that yields with all its neighbours, N/m
+    Column<double> normal, shear;               ///< forces at this instant, dashpots left out, N
+    Column<double> normal_before, shear_before; ///< at the instant before
+    Column<std::uint8_t> suspect;               ///< rows that may yield or break at this instant
+    Column<law::ContactStiffness> yielding;     ///< what a facet meets that yields with all its neighbours, N/m
 };
 
 using AnyBondSet = law::ForEachBondLaw<BondSet, FacetSet, std::variant>;

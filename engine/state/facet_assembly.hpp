@@ -55,13 +55,15 @@ void fill_facets(FacetSet<Law>& bonds, const bonding::FacetNetwork& network, con
         bonds.pressure_per_growth.push_back(volume > 0.0 ? thickness * moduli.lame / volume : 0.0);
     }
     bonds.motion.resize(bonds.size());
-    bonds.grown_i.resize(bonds.size());
-    bonds.grown_j.resize(bonds.size());
+    bonds.grown_i.resize(bonds.size() + 1);
+    bonds.grown_j.resize(bonds.size() + 1);
     bonds.pressure.resize(network.volume.size());
     if constexpr (Law::breaks) {
         find_yielding_stiffness(bonds);
-        bonds.normal.resize(bonds.size());
-        bonds.shear.resize(bonds.size());
+        for (Column<double>* column : {&bonds.normal, &bonds.shear, &bonds.normal_before, &bonds.shear_before}) {
+            column->resize(bonds.size());
+        }
+        bonds.suspect.resize(bonds.size());
     }
 }
 

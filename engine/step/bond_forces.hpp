@@ -65,22 +65,6 @@ double stored_energy(const state::BondSet<Law>& bonds, const state::Elements& el
     return Law::stored_energy(bonds.params, motion_of(bonds, elements, k), bonds.history.at(k));
 }
 
-/// Adds the dashpots' forces to `force` and books what they spend: the mean of the forces at the two ends of the step
-/// times the displacement, as central difference exchanges it.
-template <class Law>
-void add_dashpots(state::BondTable<Law>& bonds, std::size_t k, law::BondForce<double> rate, double dt,
-                  law::BondForce<double>& force) {
-    state::BondDashpots& dashpots = bonds.dashpots;
-    const double normal = dashpots.Cn[k] * rate.normal;
-    const double shear = dashpots.Ct[k] * rate.shear;
-    dashpots.spent[k] +=
-        0.5 * dt * ((dashpots.normal[k] + normal) * rate.normal + (dashpots.shear[k] + shear) * rate.shear);
-    dashpots.normal[k] = normal;
-    dashpots.shear[k] = shear;
-    force.normal += normal;
-    force.shear += shear;
-}
-
 /// Fills fx .. moment_j of the bonds of one share. Bonds that are to break are marked so and left for settle_broken;
 /// returns whether there are any.
 template <class Law>

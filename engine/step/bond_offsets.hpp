@@ -97,7 +97,7 @@ std::array<std::size_t, 2> cells_of(const state::FacetSet<Law>& bonds, std::size
 }
 
 template <class Law>
-const law::FacetVector<double>& growth(const state::FacetSet<Law>& bonds, std::size_t k, std::size_t cell) {
+law::FacetVector<double> growth(const state::FacetSet<Law>& bonds, std::size_t k, std::size_t cell) {
     return cells_of(bonds, k)[0] == cell ? bonds.growth_i[k] : bonds.growth_j[k];
 }
 

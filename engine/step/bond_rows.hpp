@@ -69,11 +69,20 @@ template <class Law>
 using BondKernel = bool (*)(const BondRows<Law>& bonds, const ElementRows& elements, double dt, std::size_t begin,
                             std::size_t end);
 
+/// Speeds at which bonds stretch and shear, m/s, from the velocities of the last half step.
+template <class Lane, class T>
+DEMLUA_INLINE law::BondForce<T> rates(const ElementRows& elements, const typename Lane::Picked& i,
+                                      const typename Lane::Picked& j, Vector2<T> normal, T inverse_d, T l, T s) {
+    const Vector2<T> v{j.of(elements.vx) - i.of(elements.vx), j.of(elements.vy) - i.of(elements.vy)};
+    const T spin = s * i.of(elements.spin) + (1.0 - s) * j.of(elements.spin);
+    return {dot(v, normal), l * (dot(v, turned_left(normal)) * inverse_d - spin)};
+}
+
 /// Adds the dashpots' forces to `force` and books what they spend: the mean of the forces at the two ends of the step
 /// times the displacement, as central difference exchanges it.
-template <class Lane, class Law, class T, class Held>
-DEMLUA_INLINE void add_dashpots(const BondRows<Law>& bonds, std::size_t k, const Held& held, law::BondForce<T> rate,
-                                double dt, law::BondForce<T>& force) {
+template <class Lane, class Rows, class T, class Held>
+DEMLUA_INLINE void add_dashpots(const Rows& bonds, std::size_t k, const Held& held, law::BondForce<T> rate, double dt,
+                                law::BondForce<T>& force) {
     const T normal = Lane::load(bonds.Cn + k) * rate.normal;
     const T shear = Lane::load(bonds.Ct + k) * rate.shear;
     const T doubled = (Lane::load(bonds.dashpot_normal + k) + normal) * rate.normal +
@@ -151,10 +160,7 @@ bool respond(const BondRows<Law>& bonds, const ElementRows& elements, double dt,
         if constexpr (damped) {
             const typename Lane::Picked i(bonds.i + k);
             const typename Lane::Picked j(bonds.j + k);
-            const Vector2<T> v{j.of(elements.vx) - i.of(elements.vx), j.of(elements.vy) - i.of(elements.vy)};
-            const T spin = s * i.of(elements.spin) + (1.0 - s) * j.of(elements.spin);
-            const law::BondForce<T> rate{dot(v, motion.normal),
-                                         l * (dot(v, turned_left(motion.normal)) * motion.inverse_length - spin)};
+            const law::BondForce<T> rate = rates<Lane>(elements, i, j, motion.normal, motion.inverse_length, l, s);
             add_dashpots<Lane>(bonds, k, held, rate, dt, force);
         }
         const T couple = held(force.shear * l);
@@ -208,6 +214,11 @@ struct OneLane {
         static bool mark_failing(std::uint8_t* broken, bool fails) {
             if (fails) *broken = state::failing;
             return fails;
+        }
+        /// Sets `to` to whether the row holds and `fails`.
+        bool mark(std::uint8_t* to, bool fails) const {
+            *to = here && fails ? 1 : 0;
+            return *to != 0;
         }
     };
 };

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <tuple>
 #include <vector>
 
 namespace demlua::step {
@@ -16,7 +18,7 @@ namespace demlua::step {
 template <class Law>
 DEMLUA_INLINE law::FacetVector<double> strained(const state::FacetSet<Law>& bonds, const state::Elements& elements,
                                                 std::size_t k) {
-    const law::BondMotion<double>& motion = bonds.motion[k];
+    const law::BondMotion<double> motion = bonds.motion[k];
     law::FacetVector<double> q{motion.stretch, motion.shear,
                                elements.rotation[bonds.j[k]] - elements.rotation[bonds.i[k]]};
     if constexpr (Law::yields) {
@@ -66,46 +68,86 @@ void grow_cell_sides(state::FacetSet<Law>& bonds, const state::Elements& element
     bonds.grown_j[k] = dot(bonds.growth_j[k], q);
 }
 
+template <class Law>
+FacetRows rows_of(state::FacetSet<Law>& bonds) {
+    const auto begins = [](const auto& table) {
+        std::array<const double*, std::tuple_size_v<decltype(table.columns)>> begin{};
+        for (std::size_t m = 0; m < begin.size(); ++m) begin[m] = table.columns[m].data();
+        return begin;
+    };
+    FacetRows rows{};
+    rows.i = bonds.i.data();
+    rows.j = bonds.j.data();
+    rows.Dx = bonds.Dx.data();
+    rows.Dy = bonds.Dy.data();
+    rows.length = bonds.length.data();
+    rows.inverse_length = bonds.inverse_length.data();
+    rows.share_i = bonds.share_i.data();
+    rows.springs = begins(bonds.springs);
+    rows.growth_i = begins(bonds.growth_i);
+    rows.growth_j = begins(bonds.growth_j);
+    if constexpr (Law::yields) {
+        using History = typename Law::template History<double>;
+        rows.plastic_stretch = bonds.history.template column<&History::stretch>().data();
+        rows.plastic_shear = bonds.history.template column<&History::shear>().data();
+    }
+    rows.inverse_d = bonds.motion.inverse_length.data();
+    rows.normal_x = bonds.motion.normal_x.data();
+    rows.normal_y = bonds.motion.normal_y.data();
+    rows.stretch = bonds.motion.stretch.data();
+    rows.shift = bonds.motion.shear.data();
+    rows.grown_i = bonds.grown_i.data();
+    rows.grown_j = bonds.grown_j.data();
+    rows.pressure = bonds.pressure.data() - bonds.slots.first;
+    rows.Cn = bonds.dashpots.Cn.data();
+    rows.Ct = bonds.dashpots.Ct.data();
+    rows.dashpot_normal = bonds.dashpots.normal.data();
+    rows.dashpot_shear = bonds.dashpots.shear.data();
+    rows.spent = bonds.dashpots.spent.data();
+    rows.fx = bonds.fx.data();
+    rows.fy = bonds.fy.data();
+    rows.moment_i = bonds.moment_i.data();
+    rows.moment_j = bonds.moment_j.data();
+    if constexpr (Law::breaks) {
+        rows.normal = bonds.normal.data();
+        rows.shear = bonds.shear.data();
+        rows.broken = bonds.broken.data();
+    }
+    return rows;
+}
+
 /// First pass over the bonds of one share.
 template <class Law>
-void measure_facets(state::FacetSet<Law>& bonds, const state::Elements& elements, Share part) {
-    for (std::size_t k = part.begin; k < part.end; ++k) {
-        if (bonds.is_broken(k)) continue;
-        bonds.motion[k] = motion_of(bonds, elements, k);
-        grow_cell_sides(bonds, elements, k);
-    }
+void measure_facets(state::FacetSet<Law>& bonds, const state::Elements& elements, const Kernels& kernels, Share part) {
+    const FacetRows rows = rows_of(bonds);
+    const ElementRows moving = rows_of(elements);
+    run_rows(kernels, part, [&](const Kernels& width, std::size_t begin, std::size_t end) {
+        width.measure_facets(rows, moving, begin, end);
+    });
 }
 
-/// Pressure of cell `e` from the growth of its sides, summed in the order of its list.
+/// Pressures of the cells of one share from the growth of their sides.
 template <class Law>
-void press_cell(state::FacetSet<Law>& bonds, std::size_t e) {
-    const state::Incidence& incidence = bonds.incidence;
-    double grown = 0.0;
-    for (Index entry = incidence.start[e]; entry < incidence.start[e + 1]; ++entry) {
-        const Index end = incidence.end[entry];
-        grown += (end & 1U) != 0 ? bonds.grown_j[end / 2] : bonds.grown_i[end / 2];
-    }
-    bonds.pressure[e] = bonds.pressure_per_growth[e] * grown;
+void press_cells(state::FacetSet<Law>& bonds, const Kernels& kernels, Share part) {
+    const CellRows cells{bonds.grown_i.data(),
+                         bonds.grown_j.data(),
+                         bonds.slots.start.data(),
+                         bonds.slots.row.data(),
+                         bonds.pressure_per_growth.data(),
+                         bonds.pressure.data()};
+    run_rows(kernels, part,
+             [&](const Kernels& width, std::size_t begin, std::size_t end) { width.press_cells(cells, begin, end); });
 }
 
-/// Writes the force on the elements of bond `k`; dashpot forces as they stand are added.
+/// Forces on the elements, from the motions and pressures there are; dashpots as they stand are added.
 template <class Law>
-DEMLUA_INLINE void put_force(state::FacetSet<Law>& bonds, std::size_t k, law::FacetVector<double> force) {
-    if constexpr (Law::breaks) {
-        bonds.normal[k] = force.normal;
-        bonds.shear[k] = force.shear;
-    }
-    if (bonds.dashpots.present()) {
-        force.normal += bonds.dashpots.normal[k];
-        force.shear += bonds.dashpots.shear[k];
-    }
-    const law::BondMotion<double>& motion = bonds.motion[k];
-    const double couple = force.shear * bonds.length[k];
-    const Vec2 f = force.normal * motion.normal + (couple * motion.inverse_length) * turned_left(motion.normal);
-    bonds.fx[k] = f.x;
-    bonds.fy[k] = f.y;
-    bonds.moment_i[k] = couple * bonds.share_i[k] + force.turn;
-    bonds.moment_j[k] = couple * (1.0 - bonds.share_i[k]) - force.turn;
+void put_forces(state::FacetSet<Law>& bonds, const state::Elements& elements, const Kernels& kernels, Share part) {
+    const FacetRows rows = rows_of(bonds);
+    const ElementRows moving = rows_of(elements);
+    const std::size_t damped = bonds.dashpots.present() ? 1 : 0;
+    run_rows(kernels, part, [&](const Kernels& width, std::size_t begin, std::size_t end) {
+        width.facet_forces[damped](rows, moving, begin, end);
+    });
 }
 
 /// A facet beyond its strength: what it bore at the last instant, and its plastic state after.
@@ -118,44 +160,64 @@ struct Failing {
     typename Law::template History<double> history;
 };
 
+template <class Law>
+SuspectRows<Law> suspects_of(state::FacetSet<Law>& bonds) {
+    SuspectRows<Law> rows{bonds.tractions,     bonds.normal.data(), bonds.shear.data(),
+                          bonds.area.data(),   bonds.radius.data(), {},
+                          bonds.broken.data(), bonds.suspect.data()};
+    for (std::size_t m = 0; m < rows.history.size(); ++m) rows.history[m] = bonds.history.columns[m].data();
+    return rows;
+}
+
+/// What facet `k`, under the forces of this instant, can no longer bear; nothing if it holds as it is.
+template <class Law>
+std::optional<Failing<Law>> failing_facet(const state::FacetSet<Law>& bonds, std::size_t k) {
+    const law::ContactStiffness& spring = bonds.yielding[k];
+    const auto before = bonds.history.at(k);
+    auto history = before;
+    law::BondMotion<double> motion;
+    motion.stretch = bonds.normal[k] / spring.normal;
+    motion.shear = bonds.shear[k] / spring.shear;
+    if constexpr (Law::yields) {
+        motion.stretch += before.stretch;
+        motion.shear += before.shear;
+    }
+    const typename Law::Params params = params_of(bonds, k);
+    Law::respond(params, 1.0, motion, history);
+    const bool breaks = Law::broken(params, 1.0, motion, history);
+    if (!breaks && !Law::has_yielded(before, history)) return std::nullopt;
+    law::BondForce<double> moved{0.0, 0.0};
+    if constexpr (Law::yields) {
+        history.work = before.work;
+        if constexpr (Law::wakes) history.damage = before.damage;
+        moved = {history.stretch - before.stretch, history.shear - before.shear};
+    }
+    const law::BondForce<double> borne{bonds.normal_before[k], bonds.shear_before[k]};
+    return Failing<Law>{static_cast<Index>(k), breaks, borne, moved, history};
+}
+
 /// Second pass over the bonds of one share. Bonds that yield are appended to `failing`, with the forces they cannot keep.
 template <class Law>
-void facet_forces(state::FacetSet<Law>& bonds, const state::Elements& elements, double dt, Share part,
-                  std::vector<Failing<Law>>& failing) {
-    const bool damped = bonds.dashpots.present();
-    for (std::size_t k = part.begin; k < part.end; ++k) {
-        if (bonds.is_broken(k)) continue;
-        const law::FacetVector<double> force = facet_force(bonds, elements, k);
-        if (damped) {
-            law::BondForce<double> dashpots{0.0, 0.0};
-            add_dashpots(bonds, k, rates_of(bonds, elements, k, bonds.motion[k]), dt, dashpots);
-        }
-        if constexpr (Law::breaks) {
-            const law::BondForce<double> borne{bonds.normal[k], bonds.shear[k]};
-            put_force(bonds, k, force);
-            const law::ContactStiffness& spring = bonds.yielding[k];
-            const auto before = bonds.history.at(k);
-            auto history = before;
-            law::BondMotion<double> motion;
-            motion.stretch = force.normal / spring.normal;
-            motion.shear = force.shear / spring.shear;
-            if constexpr (Law::yields) {
-                motion.stretch += before.stretch;
-                motion.shear += before.shear;
-            }
-            const typename Law::Params params = params_of(bonds, k);
-            Law::respond(params, 1.0, motion, history);
-            const bool breaks = Law::broken(params, 1.0, motion, history);
-            if (!breaks && !Law::has_yielded(before, history)) continue;
-            law::BondForce<double> moved{0.0, 0.0};
-            if constexpr (Law::yields) {
-                history.work = before.work;
-                if constexpr (Law::wakes) history.damage = before.damage;
-                moved = {history.stretch - before.stretch, history.shear - before.shear};
-            }
-            failing.push_back({static_cast<Index>(k), breaks, borne, moved, history});
-        } else {
-            put_force(bonds, k, force);
+void facet_forces(state::FacetSet<Law>& bonds, const state::Elements& elements, double dt, const Kernels& kernels,
+                  Share part, std::vector<Failing<Law>>& failing) {
+    if (bonds.dashpots.present()) {
+        const FacetRows rows = rows_of(bonds);
+        const ElementRows moving = rows_of(elements);
+        run_rows(kernels, part, [&](const Kernels& width, std::size_t begin, std::size_t end) {
+            width.facet_dashpots(rows, moving, dt, begin, end);
+        });
+    }
+    put_forces(bonds, elements, kernels, part);
+    if constexpr (Law::breaks) {
+        const SuspectRows<Law> rows = suspects_of(bonds);
+        bool some = false;
+        run_rows(kernels, part, [&](const Kernels& width, std::size_t begin, std::size_t end) {
+            some |= std::get<FacetKernels<Law>>(width.bonds).mark_suspects(rows, begin, end);
+        });
+        if (!some) return;
+        for (std::size_t k = part.begin; k < part.end; ++k) {
+            if (bonds.suspect[k] == 0) continue;
+            if (std::optional<Failing<Law>> found = failing_facet(bonds, k)) failing.push_back(*found);
         }
     }
 }
@@ -172,11 +234,12 @@ void refresh_around(state::FacetSet<Law>& bonds, const state::Elements& elements
     }
     std::sort(cells.begin(), cells.end());
     cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-    for (const std::size_t e : cells) press_cell(bonds, e);
+    const Kernels& one_by_one = kernels_of(1);
+    for (const std::size_t e : cells) press_cells(bonds, one_by_one, {e, e + 1, 0});
     for (const std::size_t e : cells) {
         for (Index entry = incidence.start[e]; entry < incidence.start[e + 1]; ++entry) {
             const std::size_t k = incidence.end[entry] / 2;
-            if (!bonds.is_broken(k)) put_force(bonds, k, facet_force(bonds, elements, k));
+            put_forces(bonds, elements, one_by_one, {k, k + 1, 0});
         }
     }
 }

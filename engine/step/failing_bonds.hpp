@@ -151,7 +151,7 @@ public:
         row.history = bonds_.history.at(k);
         if constexpr (Law::yields) row.offset = {row.history.stretch, row.history.shear};
         if constexpr (Law::wakes) {
-            if (row.history.cap == 0.0) row.history.cap = Law::pull({force_[k][0], force_[k][1]});
+            if (row.history.cap == 0.0) row.history.cap = Law::pull(law::BondForce<double>{force_[k][0], force_[k][1]});
         }
         row.borne = {force_[k][0], force_[k][1]};
         row.strength = row.borne.cwiseAbs().maxCoeff();

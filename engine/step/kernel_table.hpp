@@ -17,7 +17,12 @@ struct KernelTable {
     }
     template <class Law>
     static constexpr FacetKernels<Law> of(FacetKernels<Law>* /*wanted*/) {
-        return {};
+        if constexpr (Law::wakes)
+            return {mark_suspects<Lane, Law>, mark_waking<Lane, Law>};
+        else if constexpr (Law::breaks)
+            return {mark_suspects<Lane, Law>, nullptr};
+        else
+            return {nullptr, nullptr};
     }
     template <class... Each>
     static constexpr std::tuple<Each...> all(std::tuple<Each...>* /*wanted*/) {
@@ -26,6 +31,10 @@ struct KernelTable {
     static constexpr Kernels make() {
         return {Lane::width,
                 sum_pairs<Lane>,
+                measure_facets<Lane>,
+                press_cells<Lane>,
+                facet_dashpots<Lane>,
+                {facet_forces<Lane, false>, facet_forces<Lane, true>},
                 {move_rows<Lane, false, false>, move_rows<Lane, true, false>, move_rows<Lane, false, true>,
                  move_rows<Lane, true, true>},
                 all(static_cast<decltype(Kernels::bonds)*>(nullptr))};

@@ -5,6 +5,7 @@
 #include "engine/law/laws.hpp"
 #include "engine/step/bond_rows.hpp"
 #include "engine/step/element_rows.hpp"
+#include "engine/step/facet_rows.hpp"
 
 #include <array>
 #include <cstddef>
@@ -19,13 +20,21 @@ struct PairKernels {
     BondKernel<Law> damped;
 };
 
+/// Null where the law breaks nothing, or where its facets are never dormant.
 template <class Law>
-struct FacetKernels {};
+struct FacetKernels {
+    SuspectKernel<Law> mark_suspects;
+    SuspectKernel<Law> mark_waking;
+};
 
 struct Kernels {
     std::size_t width; ///< rows at a time
     SumKernel sum_pairs;
-    std::array<MotionKernel, 4> move; ///< + 1 with mass damping, + 2 with gravity
+    MeasureKernel measure_facets;
+    PressureKernel press_cells;
+    DashpotKernel facet_dashpots;
+    std::array<FacetKernel, 2> facet_forces; ///< second with dashpots
+    std::array<MotionKernel, 4> move;        ///< + 1 with mass damping, + 2 with gravity
     law::ForEachBondLaw<PairKernels, FacetKernels, std::tuple> bonds;
 };
 

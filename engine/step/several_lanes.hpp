@@ -40,6 +40,17 @@ struct SeveralLanes {
                 return value;
             return select(where_zero<W>(marks), value, other);
         }
+        DEMLUA_INLINE bool mark(std::uint8_t* to, LaneMask<W> fails) const {
+            std::memset(to, 0, W);
+            if (!any(fails)) [[likely]]
+                return false;
+            bool some = false;
+            for (std::size_t l = 0; l < W; ++l) {
+                to[l] = fails.v[l] != 0 && marks[l] == 0 ? 1 : 0;
+                some |= to[l] != 0;
+            }
+            return some;
+        }
         DEMLUA_INLINE bool mark_failing(std::uint8_t* to, LaneMask<W> fails) const {
             if (!any(fails)) [[likely]]
                 return false;

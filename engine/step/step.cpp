@@ -60,12 +60,16 @@ template <class Law>
 void compute_bonds(state::State& state, Stepper& stepper, state::FacetSet<Law>& bonds) {
     std::vector<std::vector<Failing<Law>>> failing(stepper.team.parts());
     follow_rates(state, stepper, bonds);
-    stepper.team.share(bonds.size(), [&](Share part) { measure_facets(bonds, state.elements, part); });
-    stepper.team.share(bonds.pressure.size(), [&](Share part) {
-        for (std::size_t e = part.begin; e < part.end; ++e) press_cell(bonds, e);
+    const Kernels& kernels = *stepper.kernels;
+    stepper.team.share(bonds.size(), [&](Share part) { measure_facets(bonds, state.elements, kernels, part); });
+    stepper.team.share(bonds.pressure.size(), [&](Share part) { press_cells(bonds, kernels, part); });
+    if constexpr (Law::breaks) {
+        std::swap(bonds.normal, bonds.normal_before);
+        std::swap(bonds.shear, bonds.shear_before);
+    }
+    stepper.team.share(bonds.size(), [&](Share part) {
+        facet_forces(bonds, state.elements, state.dt, kernels, part, failing[part.part]);
     });
-    stepper.team.share(bonds.size(),
-                       [&](Share part) { facet_forces(bonds, state.elements, state.dt, part, failing[part.part]); });
     if constexpr (Law::breaks) {
         std::vector<NewContact> contacts;
         const std::vector<Index> breaking = settle_yielding(bonds, state.elements, failing);
@@ -74,7 +78,7 @@ void compute_bonds(state::State& state, Stepper& stepper, state::FacetSet<Law>& 
         append_contacts(state, stepper.search, contacts);
     }
     if constexpr (Law::wakes) {
-        stepper.team.share(bonds.size(), [&](Share part) { wake_facets(bonds, state.elements, part); });
+        stepper.team.share(bonds.size(), [&](Share part) { wake_facets(bonds, state.elements, kernels, part); });
     }
     add_bond_forces(bonds, state.elements, *stepper.kernels, stepper.team);
 }

@@ -5,6 +5,7 @@
 #include "engine/base/team.hpp"
 #include "engine/state/elements.hpp"
 #include "engine/step/cell_stress.hpp"
+#include "engine/step/facet_forces.hpp"
 
 namespace demlua::step {
 
@@ -39,14 +40,18 @@ double share_of_waking(const state::FacetSet<Law>& bonds, const state::Elements&
 
 /// Wakes the dormant facets of one share that the law wakes under the forces of this instant.
 template <class Law>
-void wake_facets(state::FacetSet<Law>& bonds, const state::Elements& elements, Share part) {
+void wake_facets(state::FacetSet<Law>& bonds, const state::Elements& elements, const Kernels& kernels, Share part) {
+    const SuspectRows<Law> rows = suspects_of(bonds);
+    bool some = false;
+    run_rows(kernels, part, [&](const Kernels& width, std::size_t begin, std::size_t end) {
+        some |= std::get<FacetKernels<Law>>(width.bonds).mark_waking(rows, begin, end);
+    });
+    if (!some) return;
     for (std::size_t k = part.begin; k < part.end; ++k) {
-        const law::BondForce<double> force{bonds.normal[k], bonds.shear[k]};
-        if (!Law::may_wake(bonds.tractions, bonds.area[k], force) || bonds.is_broken(k)) continue;
+        if (bonds.suspect[k] == 0) continue;
         auto history = bonds.history.at(k);
-        if (history.cap > 0.0) continue;
-        if (share_of_waking(bonds, elements, k) < 1.0) continue;
-        history.cap = Law::pull(force);
+        if (history.cap > 0.0 || share_of_waking(bonds, elements, k) < 1.0) continue;
+        history.cap = Law::pull(law::BondForce<double>{bonds.normal[k], bonds.shear[k]});
         bonds.history.store(k, history);
     }
 }
