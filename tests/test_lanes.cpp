@@ -1,11 +1,11 @@
 // Loops over several rows at a time give what the loop over one row gives, to the last bit.
-#include "catch.hpp"
 #include "engine/base/team.hpp"
 #include "engine/state/assemble.hpp"
 #include "engine/step/kernels.hpp"
 #include "engine/step/step.hpp"
 #include "engine/step/time_step.hpp"
-#include "scenes.hpp"
+#include "tests/catch.hpp"
+#include "tests/scenes.hpp"
 
 #include <cmath>
 #include <cstddef>

@@ -51,6 +51,7 @@ struct BondTable {
     Column<double> share_i;        ///< of the length that belongs to i
     Column<double> radius;         ///< mean of the two, m
     HistoryColumns<History> history;
+    bool remembers = false; ///< whether any row of `history` may be other than zero
     BondDashpots dashpots;
 
     Column<double> fx, fy;             ///< on i; on j the opposite, N; a row of zeros after the last, for `slots`
@@ -67,6 +68,10 @@ struct BondTable {
     PairSlots slots;
 
     [[nodiscard]] std::size_t size() const { return i.size(); }
+    void remember(std::size_t bond, const History& past) {
+        history.store(bond, past);
+        remembers = true;
+    }
     [[nodiscard]] bool is_broken(std::size_t bond) const {
         if constexpr (Law::breaks) return broken[bond] != 0;
         return false;

@@ -65,20 +65,19 @@ double stored_energy(const state::BondSet<Law>& bonds, const state::Elements& el
     return Law::stored_energy(bonds.params, motion_of(bonds, elements, k), bonds.history.at(k));
 }
 
-/// Fills fx .. moment_j of the bonds of one share. Bonds that are to break are marked so and left for settle_broken;
-/// returns whether there are any.
+/// Fills fx .. moment_j of the bonds of one share. Bonds that are to break are marked so and left for settle_broken.
 template <class Law>
-bool bond_forces(state::BondSet<Law>& bonds, const state::Elements& elements, double dt, Share part,
-                 const Kernels& kernels) {
+Happened bond_forces(state::BondSet<Law>& bonds, const state::Elements& elements, double dt, Share part,
+                     const Kernels& kernels) {
     const BondRows<Law> rows = rows_of(bonds);
     const ElementRows moving = rows_of(elements);
-    bool some_fail = false;
+    Happened happened;
     const bool fits = std::get<PairKernels<Law>>(kernels.bonds).plain != nullptr;
     run_rows(fits ? kernels : kernels_of(1), part, [&](const Kernels& width, std::size_t begin, std::size_t end) {
         const auto& kernel = std::get<PairKernels<Law>>(width.bonds);
-        some_fail |= (bonds.dashpots.present() ? kernel.damped : kernel.plain)(rows, moving, dt, begin, end);
+        happened |= (bonds.dashpots.present() ? kernel.damped : kernel.plain)(rows, moving, dt, begin, end);
     });
-    return some_fail;
+    return happened;
 }
 
 /// Rows marked as failing, rising.

@@ -3,6 +3,7 @@
 
 #include "engine/base/lanes.hpp"
 #include "engine/law/bond_motion.hpp"
+#include "engine/law/rate_dependent.hpp"
 #include "engine/state/bonds.hpp"
 #include "engine/state/elements.hpp"
 
@@ -26,6 +27,7 @@ struct BondRows {
     const Index *i, *j;
     const double *Dx, *Dy, *length, *inverse_length, *share_i, *radius;
     std::array<double*, History::members.size()> history;
+    bool remembers; ///< whether `history` may be other than zero
     const double *Cn, *Ct;
     double *dashpot_normal, *dashpot_shear, *spent;
     double *fx, *fy, *moment_i, *moment_j;
@@ -49,6 +51,7 @@ BondRows<Law> rows_of(state::BondSet<Law>& bonds) {
                        bonds.share_i.data(),
                        bonds.radius.data(),
                        {},
+                       bonds.remembers || law::follows_rate<Law>,
                        bonds.dashpots.Cn.data(),
                        bonds.dashpots.Ct.data(),
                        bonds.dashpots.normal.data(),
@@ -63,11 +66,23 @@ BondRows<Law> rows_of(state::BondSet<Law>& bonds) {
     return rows;
 }
 
+/// What happened to any of some rows.
+struct Happened {
+    bool fails = false;
+    bool yields = false;
+
+    Happened& operator|=(const Happened& other) {
+        fails = fails || other.fails;
+        yields = yields || other.yields;
+        return *this;
+    }
+};
+
 /// Fills fx .. moment_j of the rows [begin, end), a whole multiple of the kernel's width, for the present instant. Rows that
-/// fail in it are marked state::failing in `broken`; returns whether there are any.
+/// fail in it are marked state::failing in `broken`.
 template <class Law>
-using BondKernel = bool (*)(const BondRows<Law>& bonds, const ElementRows& elements, double dt, std::size_t begin,
-                            std::size_t end);
+using BondKernel = Happened (*)(const BondRows<Law>& bonds, const ElementRows& elements, double dt, std::size_t begin,
+                                std::size_t end);
 
 /// Speeds at which bonds stretch and shear, m/s, from the velocities of the last half step.
 template <class Lane, class T>
@@ -131,11 +146,11 @@ law::BondMotion<typename Lane::Number> measured(const MotionBlock& block, std::s
 }
 
 template <class Lane, class Law, bool damped>
-bool respond(const BondRows<Law>& bonds, const ElementRows& elements, double dt, std::size_t begin, std::size_t end,
-             const MotionBlock& block) {
+Happened respond(const BondRows<Law>& bonds, const ElementRows& elements, double dt, std::size_t begin, std::size_t end,
+                 const MotionBlock& block) {
     using T = typename Lane::Number;
     using History = typename Law::template History<T>;
-    bool some_fail = false;
+    Happened happened;
     for (std::size_t k = begin; k < end; k += Lane::width) {
         const typename Lane::Held held(Law::breaks ? bonds.broken + k : nullptr);
         if (held.none()) continue;
@@ -143,19 +158,23 @@ bool respond(const BondRows<Law>& bonds, const ElementRows& elements, double dt,
         const T s = Lane::load(bonds.share_i + k);
         const T l = Lane::load(bonds.length + k);
         const T radius = Lane::load(bonds.radius + k);
-        History before;
-        for (std::size_t m = 0; m < bonds.history.size(); ++m)
-            before.*History::members[m] = Lane::load(bonds.history[m] + k);
+        History before{};
+        if (bonds.remembers) {
+            for (std::size_t m = 0; m < bonds.history.size(); ++m) {
+                before.*History::members[m] = Lane::load(bonds.history[m] + k);
+            }
+        }
         History history = before;
         law::BondForce<T> force = Law::respond(bonds.params, radius, motion, history);
         // Most bonds never yield: their lines of memory need not be written back.
         if (any(Law::has_yielded(before, history))) [[unlikely]] {
+            happened.yields = true;
             for (std::size_t m = 0; m < bonds.history.size(); ++m) {
                 Lane::store(bonds.history[m] + k, held(history.*History::members[m], before.*History::members[m]));
             }
         }
         if constexpr (Law::breaks) {
-            some_fail |= held.mark_failing(bonds.broken + k, Law::broken(bonds.params, radius, motion, history));
+            happened.fails |= held.mark_failing(bonds.broken + k, Law::broken(bonds.params, radius, motion, history));
         }
         if constexpr (damped) {
             const typename Lane::Picked i(bonds.i + k);
@@ -171,23 +190,23 @@ bool respond(const BondRows<Law>& bonds, const ElementRows& elements, double dt,
         Lane::store(bonds.moment_i + k, couple * s);
         Lane::store(bonds.moment_j + k, couple * (1.0 - s));
     }
-    return some_fail;
+    return happened;
 }
 
 /// A kernel. `Lane` says how rows are read and written: OneLane below or SeveralLanes (step/several_lanes.hpp). Two short
 /// loops instead of a long one: a processor overlaps more rows where fewer operations wait for each other.
 template <class Lane, class Law, bool damped>
-bool bond_forces(const BondRows<Law>& bonds, const ElementRows& elements, double dt, std::size_t begin,
-                 std::size_t end) {
-    bool some_fail = false;
+Happened bond_forces(const BondRows<Law>& bonds, const ElementRows& elements, double dt, std::size_t begin,
+                     std::size_t end) {
+    Happened happened;
     MotionBlock block;
     while (begin < end) {
         const std::size_t stop = begin + MotionBlock::rows < end ? begin + MotionBlock::rows : end;
         measure<Lane>(bonds, elements, begin, stop, block);
-        some_fail |= respond<Lane, Law, damped>(bonds, elements, dt, begin, stop, block);
+        happened |= respond<Lane, Law, damped>(bonds, elements, dt, begin, stop, block);
         begin = stop;
     }
-    return some_fail;
+    return happened;
 }
 
 /// One row at a time.

@@ -88,8 +88,10 @@ FacetRows rows_of(state::FacetSet<Law>& bonds) {
     rows.growth_j = begins(bonds.growth_j);
     if constexpr (Law::yields) {
         using History = typename Law::template History<double>;
-        rows.plastic_stretch = bonds.history.template column<&History::stretch>().data();
-        rows.plastic_shear = bonds.history.template column<&History::shear>().data();
+        if (bonds.remembers) {
+            rows.plastic_stretch = bonds.history.template column<&History::stretch>().data();
+            rows.plastic_shear = bonds.history.template column<&History::shear>().data();
+        }
     }
     rows.inverse_d = bonds.motion.inverse_length.data();
     rows.normal_x = bonds.motion.normal_x.data();
@@ -255,7 +257,7 @@ std::vector<Index> settle_yielding(state::FacetSet<Law>& bonds, const state::Ele
     std::vector<Index> yielded;
     std::vector<Index> breaking;
     for (const Failing<Law>& failing : all) {
-        bonds.history.store(failing.bond, failing.history);
+        bonds.remember(failing.bond, failing.history);
         grow_cell_sides(bonds, elements, failing.bond);
         yielded.push_back(failing.bond);
     }
@@ -269,7 +271,7 @@ std::vector<Index> settle_yielding(state::FacetSet<Law>& bonds, const state::Ele
                 Law::wear(params_of(bonds, k), failing.history);
                 failing.breaks = Law::broken(params_of(bonds, k), 1.0, bonds.motion[k], failing.history);
             }
-            bonds.history.store(k, failing.history);
+            bonds.remember(k, failing.history);
         }
     }
     for (const Failing<Law>& failing : all) {

@@ -14,7 +14,7 @@
 
 namespace demlua::step {
 
-/// Where the columns of a facet set begin. Null where there is nothing: plastic displacements of laws that do not yield,
+/// Where the columns of a facet set begin. Null where there is nothing: plastic displacements while nothing has yielded,
 /// forces kept and marks of laws that do not break, dashpots.
 struct FacetRows {
     const Index *i, *j;

@@ -188,7 +188,7 @@ public:
                 row.history.stretch = row.offset[0];
                 row.history.shear = row.offset[1];
             }
-            if (!row.settled) bonds_.history.store(row.bond, row.history);
+            if (!row.settled) bonds_.remember(row.bond, row.history);
             if (!row.broken || row.settled) continue;
             breaking.push_back(static_cast<Index>(row.bond));
             released += row.released;

@@ -15,6 +15,7 @@ void add_pair_forces(const Pairs& pairs, state::Elements& elements, Team& team) 
     const state::Incidence& incidence = pairs.incidence;
     team.share(incidence.start.size() - 1, [&](Share part) {
         for (std::size_t e = part.begin; e < part.end; ++e) {
+            if (incidence.start[e] == incidence.start[e + 1]) continue;
             double fx = 0.0;
             double fy = 0.0;
             double moment = 0.0;

@@ -11,7 +11,6 @@
 #include "engine/step/wall_parts.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <fmt/format.h>
 #include <iterator>
@@ -44,11 +43,14 @@ void follow_rates(const state::State& state, Stepper& stepper, Bonds& bonds) {
 template <class Law>
 void compute_bonds(state::State& state, Stepper& stepper, state::BondSet<Law>& bonds) {
     follow_rates(state, stepper, bonds);
-    std::atomic<bool> some_fail{false};
+    std::vector<Happened> shares(stepper.team.parts());
     stepper.team.share(bonds.size(), [&](Share part) {
-        if (bond_forces(bonds, state.elements, state.dt, part, *stepper.kernels)) some_fail = true;
+        shares[part.part] = bond_forces(bonds, state.elements, state.dt, part, *stepper.kernels);
     });
-    if (some_fail) {
+    Happened happened;
+    for (const Happened& share : shares) happened |= share;
+    bonds.remembers = bonds.remembers || happened.yields;
+    if (happened.fails) {
         std::vector<NewContact> contacts;
         settle_broken(state, bonds, failing_rows(bonds), contacts);
         append_contacts(state, stepper.search, contacts);

@@ -52,7 +52,7 @@ void wake_facets(state::FacetSet<Law>& bonds, const state::Elements& elements, c
         auto history = bonds.history.at(k);
         if (history.cap > 0.0 || share_of_waking(bonds, elements, k) < 1.0) continue;
         history.cap = Law::pull(law::BondForce<double>{bonds.normal[k], bonds.shear[k]});
-        bonds.history.store(k, history);
+        bonds.remember(k, history);
     }
 }
 
