@@ -93,6 +93,11 @@ std::vector<std::string> warnings(const model::Scene& scene, const state::State&
         if (!plane) continue;
         const law::PlaneModuli real = law::solid_moduli(*plane, scene.plane == model::Plane::strain);
         const model::Material& said = scene.materials[scene.bodies[row].material];
+        constexpr double unseen = 5e-3; // what the sentence would round away
+        if (std::abs(real.youngs_modulus - said.youngs_modulus) < unseen * said.youngs_modulus &&
+            std::abs(real.poissons_ratio - said.poissons_ratio) < unseen) {
+            continue;
+        }
         sentences.push_back(fmt::format("warning: {} behaves as E = {:.3g} Pa and nu = {:.2f}, not {:.3g} Pa and "
                                         "{:.2f}: eqs 15 and 16 are exact for "
                                         "close packing only; stiffness = \"facets\" is exact on any pack",
