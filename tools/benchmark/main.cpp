@@ -1,5 +1,7 @@
-// Measures one work and prints what it found as JSON: SI units, raw columns, one entry per round. tools/bench reads it.
+// Measures one work and prints what it found as JSON: SI units, raw columns, one entry per round. With --exchange it follows
+// the work over a fixed number of steps, as other programs are asked to. tools/bench reads what it prints.
 #include "engine/output/pack_folder.hpp"
+#include "tools/benchmark/exchange.hpp"
 #include "tools/benchmark/measure.hpp"
 
 #include "demlua/version.hpp"
@@ -50,11 +52,13 @@ int run(int argc, char** argv) {
     std::string packs;
     std::vector<int> threads{1};
     double seconds = 5.0;
+    std::string exchange;
     bool list = false;
     app.add_option("work", name, "what to measure");
     app.add_option("--threads", threads, "thread counts, e.g. 1,2")->delimiter(',')->check(CLI::Range(1, 1024));
     app.add_option("--seconds", seconds, "to spend on steps")->check(CLI::PositiveNumber);
     app.add_option("--packs", packs, "folder where irregular packs are kept");
+    app.add_option("--exchange", exchange, "file for the first instant, as other programs need it; \"-\" for none");
     app.add_flag("--list", list, "names the works");
     CLI11_PARSE(app, argc, argv);
     if (list) {
@@ -63,6 +67,10 @@ int run(int argc, char** argv) {
     }
     const output::PackFolder folder(packs);
     const bench::Work work = bench::work_of(name);
+    if (!exchange.empty()) {
+        fmt::print("{}\n", bench::follow(work, threads.front(), packs.empty() ? nullptr : &folder, exchange).dump());
+        return 0;
+    }
     fmt::print("{}\n", json_of(work, bench::measure(work, threads, seconds, packs.empty() ? nullptr : &folder)).dump());
     return 0;
 }

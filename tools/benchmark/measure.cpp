@@ -71,26 +71,6 @@ void set_waves(state::Elements& elements, double speed) {
     }
 }
 
-struct Begun {
-    std::unique_ptr<state::State> state = std::make_unique<state::State>();
-    SetUp set_up;
-};
-
-Begun begin_of(const Work& work, const packing::PackStore* packs) {
-    Begun begun;
-    begun.set_up.assembly = time_of([&] { *begun.state = state::assemble(work.scene, packs).state; });
-    begun.set_up.time_step = time_of([&] {
-        begun.state->dt = work.scene.step_fraction *
-                          step::stable_step(*begun.state, model::StepRule::bound, work.scene.place).critical;
-    });
-    if (work.speed > 0.0) set_waves(begun.state->elements, work.speed);
-    Team alone(1);
-    step::Stepper stepper(alone, *begun.state, work.scene.greatest_move);
-    begun.set_up.first_forces = time_of([&] { step::start(*begun.state, stepper); });
-    for (std::uint64_t step = 0; step < work.steps_before; ++step) step::advance(*begun.state, stepper);
-    return begun;
-}
-
 std::size_t bonds_of(const state::State& state) {
     std::size_t count = 0;
     for (const state::AnyBondSet& any : state.bond_sets) {
@@ -104,13 +84,35 @@ std::size_t touching(const Column<double>& overlap) {
         std::count_if(overlap.begin(), overlap.end(), [](double depth) { return depth > 0.0; }));
 }
 
+void advance(state::State& state, const Work& work) {
+    Team alone(1);
+    step::Stepper stepper(alone, state, work.scene.greatest_move);
+    step::refresh_contacts(state, stepper.search);
+    for (std::uint64_t step = 0; step < work.steps_before; ++step) step::advance(state, stepper);
+}
+
 } // namespace
+
+Begun begin_of(const Work& work, const packing::PackStore* packs) {
+    Begun begun;
+    begun.set_up.assembly = time_of([&] { *begun.state = state::assemble(work.scene, packs).state; });
+    begun.set_up.time_step = time_of([&] {
+        begun.state->dt = work.scene.step_fraction *
+                          step::stable_step(*begun.state, model::StepRule::bound, work.scene.place).critical;
+    });
+    if (work.speed > 0.0) set_waves(begun.state->elements, work.speed);
+    Team alone(1);
+    step::Stepper stepper(alone, *begun.state, work.scene.greatest_move);
+    begun.set_up.first_forces = time_of([&] { step::start(*begun.state, stepper); });
+    return begun;
+}
 
 Measurement measure(const Work& work, const std::vector<int>& threads, double seconds,
                     const packing::PackStore* packs) {
     Measurement found;
     const double before = resident_bytes();
     const Begun begun = begin_of(work, packs);
+    if (work.steps_before > 0) advance(*begun.state, work);
     const state::State& state = *begun.state;
     found.elements = state.elements.size();
     found.bonds = bonds_of(state);

@@ -5,9 +5,11 @@
 #include "tools/benchmark/works.hpp"
 
 #include "engine/packing/pack_store.hpp"
+#include "engine/state/state.hpp"
 
-#include <string>
-#include <utility>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace demlua::bench {
@@ -18,6 +20,13 @@ struct SetUp {
     double time_step = 0.0;    ///< stable step, by the bound
     double first_forces = 0.0; ///< search and forces at the first instant
 };
+
+/// A work at its first instant.
+struct Begun {
+    std::unique_ptr<state::State> state = std::make_unique<state::State>();
+    SetUp set_up;
+};
+Begun begin_of(const Work& work, const packing::PackStore* packs);
 
 /// Times of one thread count, one entry of every column per round, taken one straight after the other.
 struct Rounds {

@@ -67,6 +67,13 @@ Work plateau(double count) {
     return beam("close packed, bonds elastic to plateau", close_packed(count), model::PlateauBonds{});
 }
 
+/// Poisson's ratio 1/3: bonds without shear stiffness, which programs without rotations can follow.
+Work central(double count) {
+    Work work = beam("close packed, elastic for good, central forces", close_packed(count), model::ElasticBonds{});
+    work.scene.materials[0].poissons_ratio = 1.0 / 3.0;
+    return work;
+}
+
 /// Grains of 5 mm that stand a little apart, each moved and made smaller by up to a tenth of its radius, over a floor
 /// between two walls. They have fallen for as long as the uppermost need to meet the rest.
 Work grains() {
@@ -120,6 +127,7 @@ const std::vector<std::pair<std::string, Maker>>& makers() {
         {"bonded_1m", [] { return plateau(1e6); }},
         {"elastic_12k",
          [] { return beam("close packed, bonds elastic for good", close_packed(12e3), model::ElasticBonds{}); }},
+        {"central_12k", [] { return central(12e3); }},
         {"damped_12k",
          [] { return beam("plateau and dashpots", close_packed(12e3), damped(model::PlateauBonds{}, 0.02)); }},
         {"facets_12k",
