@@ -51,6 +51,8 @@ def of_threads(found, figure):
     for rounds in found["rounds"][1:]:
         yield figure(rounds["threads"], "speed-up", "",
                      [a / b for a, b in zip(first["widest"], rounds["widest"])])
+        yield figure(rounds["threads"], "processors", "",
+                     [a / b for a, b in zip(rounds["multiply_adds_per_second"], first["multiply_adds_per_second"])])
 
 
 def of_set_up(found, figure):

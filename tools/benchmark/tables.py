@@ -62,7 +62,7 @@ def median_of(figures, row, threads, quantity):
 
 def step_table(figures):
     head = ["row", "threads", "elements", "median", "10 %", "least", "aim", "one lane", "one/widest", "memory", "arithmetic",
-            "over floor", "speed-up"]
+            "over floor", "speed-up", "processors"]
     rows = []
     for each in figures:
         if each.quantity != "element-step":
@@ -70,7 +70,7 @@ def step_table(figures):
         rows.append([each.row, str(each.threads), str(each.elements), number(each.median), number(each.tenth),
                      number(each.least), number(AIMS.get((each.row, each.threads)))] +
                     [median_of(figures, each.row, each.threads, quantity) for quantity in
-                     ("one lane", "one lane over widest", "memory floor", "arithmetic floor", "over floor", "speed-up")])
+                     ("one lane", "one lane over widest", "memory floor", "arithmetic floor", "over floor", "speed-up", "processors")])
     return table(head, rows) if rows else ""
 
 
@@ -88,11 +88,24 @@ def program_table(figures):
     return table(["row", "threads", "elements", "quantity", "median", "least", "unit"], rows) if rows else ""
 
 
+def peer_table(figures):
+    """The four figures of a comparison stand one after the other."""
+    rows = []
+    for at, each in enumerate(figures):
+        if each.quantity == "peer":
+            own, ratio, apart = figures[at + 1:at + 4]
+            rows.append([each.row, each.what, number(each.median), number(each.least), number(own.median),
+                         number(own.least), number(ratio.median), f"{apart.quantity} {apart.median:.1e} {apart.unit}"])
+    return table(["row", "program", "median", "least", "demlua beside it", "least", "ratio", "same physics"],
+                 rows) if rows else ""
+
+
 def text(figures, about):
     parts = ["\n".join(f"{key}: {value}" for key, value in about.items())]
     for title, body in (("ns per element and step", step_table(figures)),
                         ("From the scene to the first step, and memory held then", set_up_table(figures)),
-                        ("The program as a whole", program_table(figures))):
+                        ("The program as a whole", program_table(figures)),
+                        ("Other programs, one thread, ns per element and step", peer_table(figures))):
         if body:
             parts.append(f"{title}\n\n{body}")
     return "\n\n".join(parts)
