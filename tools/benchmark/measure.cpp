@@ -125,6 +125,7 @@ Measurement measure(const Work& work, const std::vector<int>& threads, double se
     }
     const auto footprint = static_cast<std::size_t>(found.cost.footprint * static_cast<double>(found.elements));
     std::vector<std::unique_ptr<Running>> all;
+    all.reserve(threads.size());
     for (const int count : threads) {
         all.push_back(std::make_unique<Running>(count, state, work.scene.greatest_move, footprint));
     }

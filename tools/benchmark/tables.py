@@ -70,7 +70,8 @@ def step_table(figures):
         rows.append([each.row, str(each.threads), str(each.elements), number(each.median), number(each.tenth),
                      number(each.least), number(AIMS.get((each.row, each.threads)))] +
                     [median_of(figures, each.row, each.threads, quantity) for quantity in
-                     ("one lane", "one lane over widest", "memory floor", "arithmetic floor", "over floor", "speed-up", "processors")])
+                     ("one lane", "one lane over widest", "memory floor", "arithmetic floor", "over floor", "speed-up",
+                      "processors")])
     return table(head, rows) if rows else ""
 
 
