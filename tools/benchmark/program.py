@@ -53,7 +53,7 @@ def penetration(binaries, threads):
             return Figure("penetration", "scenarios/penetration.lua, the whole run", count, elements, quantity, unit,
                           [value])
         yield figure("element-step", "ns", 1e9 * times["running"] / summary["steps"] / summary["elements"])
-        yield figure(f"output of {summary['frames']} frames", "%", 100 * times["writing"] / times["running"])
+        yield figure(f"writer busy, {summary['frames']} frames", "% of run", 100 * times["writing"] / times["running"])
         yield figure("run", "s", times["running"])
 
 

@@ -85,7 +85,7 @@ def set_up_table(figures):
 
 def program_table(figures):
     rows = [[each.row, str(each.threads), str(each.elements), each.quantity, number(each.median), number(each.least),
-             each.unit] for each in figures if each.quantity.startswith(("start to", "output", "run"))]
+             each.unit] for each in figures if each.quantity.startswith(("start to", "writer", "run"))]
     return table(["row", "threads", "elements", "quantity", "median", "least", "unit"], rows) if rows else ""
 
 
