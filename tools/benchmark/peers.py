@@ -13,11 +13,12 @@ import yade
 from figures import Figure
 
 # Who can do which work.
-ROWS = {"central_12k": [lammps, yade], "grains_12k": [lammps, liggghts]}
-# What must agree at the end, and how well, relative. Bonded: the same differential equations and scheme, so nothing but rounding,
-# which waves without damping do not blow up; any error in the period would show. Grains: the height of the heap, to half a hundredth of
-# what it has sunk; which grains meet when is chaotic.
-AGREE = {"central_12k": ("stored", 1e-6), "grains_12k": ("height", 3e-3)}
+ROWS = {"elastic_12k": [yade], "central_12k": [lammps, yade], "grains_12k": [lammps, liggghts]}
+# What must agree at the end, and how well, relative. Without shear: the same differential equations and scheme, so nothing but
+# rounding, which waves without damping do not blow up. With shear: Yade adds its shear displacement up from step to step; a
+# stiffness wrong by 1 % would put the waves off by a fifteenth of a crossing of the beam. Grains: the height of the heap, to half
+# a hundredth of what it has sunk; which grains meet when is chaotic.
+AGREE = {"elastic_12k": ("stored", 1e-2), "central_12k": ("stored", 1e-6), "grains_12k": ("height", 3e-3)}
 
 
 def install():
