@@ -6,7 +6,7 @@ import subprocess
 
 PACKAGE = "lammps"
 PROGRAM = "lmp"
-SKIN = 0.5  # of the largest radius: the fastest of a few tried
+SKIN = 0.5  # of the largest radius; not tuned
 
 
 def box(elements, margin):
