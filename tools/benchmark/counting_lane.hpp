@@ -1,0 +1,110 @@
+// A lane for the kernels of a step that counts: operations on numbers, and the lines of memory that are read and written.
+// What a step costs is then counted in the kernels themselves, not estimated beside them.
+#pragma once
+
+#include "engine/base/column.hpp"
+#include "engine/base/lanes.hpp"
+#include "engine/state/bonds.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <unordered_set>
+
+namespace demlua::bench {
+
+/// What has been counted since the program began; single-threaded.
+struct Tally {
+    static constexpr std::uintptr_t line = 64; ///< bytes
+
+    static inline std::uint64_t operations = 0; ///< sums, products, comparisons, choices
+    static inline std::uint64_t divisions = 0;  ///< and square roots
+    /// Lines of memory that a step must fetch and those it must give back. What it has written itself it need not fetch.
+    static inline std::unordered_set<std::uintptr_t> read, written;
+
+    template <class Value>
+    static void note_read(const Value* place) {
+        const auto at = reinterpret_cast<std::uintptr_t>(place) / line;
+        if (!written.contains(at)) read.insert(at);
+    }
+    template <class Value>
+    static void note_written(const Value* place) {
+        written.insert(reinterpret_cast<std::uintptr_t>(place) / line);
+    }
+};
+
+struct Counted {
+    double value = 0.0;
+
+    Counted() = default;
+    Counted(double of) : value(of) {} // NOLINT(google-explicit-constructor)
+
+    static Counted counted(double value) {
+        ++Tally::operations;
+        return {value};
+    }
+    static bool counted(bool truth) {
+        ++Tally::operations;
+        return truth;
+    }
+    static Counted divided(double value) {
+        ++Tally::divisions;
+        return {value};
+    }
+    friend Counted operator+(Counted a, Counted b) { return counted(a.value + b.value); }
+    friend Counted operator-(Counted a, Counted b) { return counted(a.value - b.value); }
+    friend Counted operator*(Counted a, Counted b) { return counted(a.value * b.value); }
+    friend Counted operator/(Counted a, Counted b) { return divided(a.value / b.value); }
+    friend Counted operator-(Counted a) { return counted(-a.value); }
+    Counted& operator+=(Counted b) { return *this = *this + b; }
+    Counted& operator-=(Counted b) { return *this = *this - b; }
+    friend bool operator<(Counted a, Counted b) { return counted(a.value < b.value); }
+    friend bool operator>(Counted a, Counted b) { return counted(a.value > b.value); }
+    friend bool operator<=(Counted a, Counted b) { return counted(a.value <= b.value); }
+    friend bool operator>=(Counted a, Counted b) { return counted(a.value >= b.value); }
+};
+
+inline Counted select(bool condition, Counted yes, Counted no) {
+    return Counted::counted((condition ? yes : no).value);
+}
+inline Counted smaller(Counted a, Counted b) { return Counted::counted(demlua::smaller(a.value, b.value)); }
+inline Counted larger(Counted a, Counted b) { return Counted::counted(demlua::larger(a.value, b.value)); }
+inline Counted magnitude(Counted a) { return Counted::counted(demlua::magnitude(a.value)); }
+inline Counted square_root(Counted a) { return Counted::divided(demlua::square_root(a.value)); }
+inline double largest(Counted a) { return a.value; }
+
+/// One row at a time, as step::OneLane.
+struct CountingLane {
+    using Number = Counted;
+    static constexpr std::size_t width = 1;
+
+    static Counted load(const double* from) {
+        Tally::note_read(from);
+        return {*from};
+    }
+    static void store(double* to, Counted value) {
+        Tally::note_written(to);
+        *to = value.value;
+    }
+
+    struct Picked {
+        Index row;
+        explicit Picked(const Index* rows) : row(*rows) { Tally::note_read(rows); }
+        [[nodiscard]] Counted of(const double* column) const { return load(column + row); }
+    };
+
+    struct Held {
+        bool here;
+        explicit Held(const std::uint8_t* broken) : here(broken == nullptr || *broken == 0) {
+            if (broken != nullptr) Tally::note_read(broken);
+        }
+        [[nodiscard]] bool none() const { return !here; }
+        Counted operator()(Counted value, Counted /*other*/ = {}) const { return value; }
+        static bool mark_failing(std::uint8_t* broken, bool fails) {
+            if (fails) *broken = state::failing;
+            return fails;
+        }
+    };
+};
+
+} // namespace demlua::bench
