@@ -46,10 +46,13 @@ FacetBond bond_of(const packing::Facet& facet, const Line& line, const law::Face
     FacetBond bond;
     bond.share_i = line.share_i;
     bond.whole = part_between(line.low, line.high);
-    bond.springs = law::facet_springs(moduli, part_between(low, high), line.length, thickness);
+    bond.walled = wall_below || wall_above;
+    const double per_length = 1.0 / line.length;
+    const law::FacetPart inside = part_between(low, high);
+    bond.springs = law::facet_springs(thickness * moduli.twice_shear, inside.area, inside.centre, per_length);
     const law::FacetPart closed = closed_part(facet, line);
-    bond.growth_i = law::cell_growth(closed, line.length, line.share_i, false);
-    bond.growth_j = law::cell_growth(closed, line.length, line.share_i, true);
+    bond.growth_i = law::growth_of_i(closed.area, closed.centre, per_length, line.share_i);
+    bond.growth_j = law::growth_of_j(closed.area, closed.centre, per_length, line.share_i);
 
     const Vec2 t = turned_left(line.normal);
     const auto meet_wall = [&](double side, Vec2 outward, law::FacetPart outer) {

@@ -12,6 +12,7 @@ namespace demlua::bonding {
 struct FacetBond {
     double share_i = 0.5; ///< of the bond's length that lies in the cell of i
     law::FacetPart whole; ///< the facet: its length is what carries the bond's traction
+    bool walled = false;  ///< ends on a free wall: `springs` and growths are not those of `whole` alone
     law::FacetSprings<double> springs;
     law::FacetVector<double> growth_i; ///< of the cell of i
     law::FacetVector<double> growth_j;

@@ -105,14 +105,11 @@ constexpr FacetModuli facet_moduli(PlaneModuli plane) {
     return {plane.youngs_modulus / (1.0 + nu), plane.youngs_modulus * nu / (1.0 - nu * nu), plane.youngs_modulus, nu};
 }
 
-/// Springs of the part of a facet that lies inside the body. `length` of the bond and `thickness` in m.
-inline FacetSprings<double> facet_springs(const FacetModuli& moduli, FacetPart part, double length, double thickness) {
-    const double k = moduli.twice_shear * thickness * part.area / length;
-    FacetSprings<double> springs;
-    springs.add(k, {1.0, 0.0, -part.centre});
-    springs.add(k, {0.0, 1.0, 0.0});
-    springs.add(k * part.area * part.area / 12.0, {0.0, 0.0, 1.0});
-    return springs;
+/// Springs of a facet, or of the part of one that lies inside the body; `twice_shear` is 2G b in N/m.
+template <class T>
+FacetSprings<T> facet_springs(double twice_shear, T area, T centre, T inverse_length) {
+    const T k = twice_shear * area * inverse_length;
+    return {k, T{}, k, -(k * centre), T{}, k * (centre * centre) + k * (area * area) * (1.0 / 12.0)};
 }
 
 /// Adds the bar that stands for the part between the bond's line and a free wall, whose unit tangent has the components
@@ -124,11 +121,18 @@ inline void add_wall_bar(FacetSprings<double>& springs, const FacetModuli& modul
     springs.add(k * part.area * part.area / 12.0, {0.0, 0.0, along_n});
 }
 
-/// Growth of the cells of i (`of_j` false) or j with q, through a facet part.
-inline FacetVector<double> cell_growth(FacetPart part, double length, double share_i, bool of_j) {
-    const double share_j = 1.0 - share_i;
-    if (of_j) return {part.area * share_j, -part.area * part.centre / length, part.area * part.centre * share_i};
-    return {part.area * share_i, part.area * part.centre / length, part.area * part.centre * share_j};
+/// Growth of the cell of i with q, through a facet or a part of one; share_i that of i in the length.
+template <class T>
+FacetVector<T> growth_of_i(T area, T centre, T inverse_length, T share_i) {
+    const T couple = area * centre;
+    return {area * share_i, couple * inverse_length, couple * (1.0 - share_i)};
+}
+
+/// The same of the cell of j.
+template <class T>
+FacetVector<T> growth_of_j(T area, T centre, T inverse_length, T share_i) {
+    const T couple = area * centre;
+    return {area * (1.0 - share_i), -(couple * inverse_length), couple * share_i};
 }
 
 /// Growth of the cells on either side of a bond along a free wall when the body bends; `side` is h.

@@ -100,6 +100,7 @@ struct MotionColumns {
 template <class Law>
 struct FacetSet : BondTable<Law> {
     typename Law::Tractions tractions;
+    Column<std::uint8_t> walled; ///< 1 where a facet ends on a free wall; where none does, area and centre say it all
     StructColumns<law::FacetSprings<double>> springs;
     StructColumns<law::FacetVector<double>> growth_i, growth_j; ///< of the cells of i and j with q
     Column<double> area;                                        ///< of the facet, m

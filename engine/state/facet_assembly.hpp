@@ -45,11 +45,19 @@ void fill_facets(FacetSet<Law>& bonds, const bonding::FacetNetwork& network, con
     for (std::size_t k = 0; k < network.bonds.size(); ++k) {
         const bonding::FacetBond& bond = network.bonds[k];
         bonds.share_i[k] = bond.share_i;
+        bonds.walled.push_back(bond.walled ? 1 : 0);
+        bonds.area.push_back(bond.whole.area);
+        bonds.centre.push_back(bond.whole.centre);
         bonds.springs.push_back(bond.springs);
         bonds.growth_i.push_back(bond.growth_i);
         bonds.growth_j.push_back(bond.growth_j);
-        bonds.area.push_back(bond.whole.area);
-        bonds.centre.push_back(bond.whole.centre);
+        if (bond.walled) continue;
+        // To the last bit what loops make of area and centre, so that it does not matter which of the two they take.
+        const double A = bonds.area[k];
+        const double c = bonds.centre[k];
+        bonds.springs.store(k, law::facet_springs(bonds.twice_shear, A, c, bonds.inverse_length[k]));
+        bonds.growth_i.store(k, law::growth_of_i(A, c, bonds.inverse_length[k], bond.share_i));
+        bonds.growth_j.store(k, law::growth_of_j(A, c, bonds.inverse_length[k], bond.share_i));
     }
     for (const double volume : network.volume) {
         bonds.pressure_per_growth.push_back(volume > 0.0 ? thickness * moduli.lame / volume : 0.0);

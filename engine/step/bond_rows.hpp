@@ -216,6 +216,7 @@ struct OneLane {
 
     static double load(const double* from) { return *from; }
     static void store(double* to, double value) { *to = value; }
+    static bool any_marked(const std::uint8_t* marks) { return *marks != 0; }
 
     struct Picked {
         Index row;

@@ -83,6 +83,10 @@ FacetRows rows_of(state::FacetSet<Law>& bonds) {
     rows.length = bonds.length.data();
     rows.inverse_length = bonds.inverse_length.data();
     rows.share_i = bonds.share_i.data();
+    rows.twice_shear = bonds.twice_shear;
+    rows.area = bonds.area.data();
+    rows.centre = bonds.centre.data();
+    rows.walled = bonds.walled.data();
     rows.springs = begins(bonds.springs);
     rows.growth_i = begins(bonds.growth_i);
     rows.growth_j = begins(bonds.growth_j);
@@ -128,15 +132,20 @@ void measure_facets(state::FacetSet<Law>& bonds, const state::Elements& elements
     });
 }
 
+template <class Law>
+CellRows cells_of(state::FacetSet<Law>& bonds) {
+    return {bonds.grown_i.data(),
+            bonds.grown_j.data(),
+            bonds.slots.start.data(),
+            bonds.slots.row.data(),
+            bonds.pressure_per_growth.data(),
+            bonds.pressure.data()};
+}
+
 /// Pressures of the cells of one share from the growth of their sides.
 template <class Law>
 void press_cells(state::FacetSet<Law>& bonds, const Kernels& kernels, Share part) {
-    const CellRows cells{bonds.grown_i.data(),
-                         bonds.grown_j.data(),
-                         bonds.slots.start.data(),
-                         bonds.slots.row.data(),
-                         bonds.pressure_per_growth.data(),
-                         bonds.pressure.data()};
+    const CellRows cells = cells_of(bonds);
     run_rows(kernels, part,
              [&](const Kernels& width, std::size_t begin, std::size_t end) { width.press_cells(cells, begin, end); });
 }

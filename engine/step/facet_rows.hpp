@@ -19,7 +19,10 @@ namespace demlua::step {
 struct FacetRows {
     const Index *i, *j;
     const double *Dx, *Dy, *length, *inverse_length, *share_i;
-    std::array<const double*, 6> springs;
+    double twice_shear; ///< 2G b, N/m
+    const double *area, *centre;
+    const std::uint8_t* walled;
+    std::array<const double*, 6> springs; ///< these and the next are read for walled rows only
     std::array<const double*, 3> growth_i, growth_j;
     const double *plastic_stretch, *plastic_shear;
     double *inverse_d, *normal_x, *normal_y, *stretch, *shift;
@@ -58,6 +61,29 @@ DEMLUA_INLINE Struct loaded_members(const std::array<const double*, Struct::memb
     return whole;
 }
 
+/// What a facet is made of: most of it follows from four numbers, which take less time to read than what they stand for.
+template <class T>
+struct FacetParts {
+    law::FacetSprings<T> springs;
+    law::FacetVector<T> growth_i, growth_j;
+};
+
+template <class Lane>
+DEMLUA_INLINE FacetParts<typename Lane::Number> parts_of(const FacetRows& rows, std::size_t k) {
+    using T = typename Lane::Number;
+    if (Lane::any_marked(rows.walled + k)) [[unlikely]] {
+        return {loaded_members<Lane, law::FacetSprings<T>>(rows.springs, k),
+                loaded_members<Lane, law::FacetVector<T>>(rows.growth_i, k),
+                loaded_members<Lane, law::FacetVector<T>>(rows.growth_j, k)};
+    }
+    const T area = Lane::load(rows.area + k);
+    const T centre = Lane::load(rows.centre + k);
+    const T per_length = Lane::load(rows.inverse_length + k);
+    const T s = Lane::load(rows.share_i + k);
+    return {law::facet_springs(rows.twice_shear, area, centre, per_length),
+            law::growth_of_i(area, centre, per_length, s), law::growth_of_j(area, centre, per_length, s)};
+}
+
 /// Elastic part of q.
 template <class Lane>
 DEMLUA_INLINE law::FacetVector<typename Lane::Number>
@@ -89,8 +115,9 @@ void measure_facets(const FacetRows& rows, const ElementRows& elements, std::siz
         Lane::store(rows.normal_y + k, motion.normal.y);
         Lane::store(rows.stretch + k, motion.stretch);
         Lane::store(rows.shift + k, motion.shear);
-        Lane::store(rows.grown_i + k, held(dot(loaded_members<Lane, Vector>(rows.growth_i, k), q)));
-        Lane::store(rows.grown_j + k, held(dot(loaded_members<Lane, Vector>(rows.growth_j, k), q)));
+        const FacetParts<T> parts = parts_of<Lane>(rows, k);
+        Lane::store(rows.grown_i + k, held(dot(parts.growth_i, q)));
+        Lane::store(rows.grown_j + k, held(dot(parts.growth_j, q)));
     }
 }
 
@@ -138,9 +165,8 @@ void facet_forces(const FacetRows& rows, const ElementRows& elements, std::size_
         const typename Lane::Picked j(rows.j + k);
         const Vector q = elastic_part<Lane>(rows, k, Lane::load(rows.stretch + k), Lane::load(rows.shift + k),
                                             j.of(elements.rotation) - i.of(elements.rotation));
-        Vector force = loaded_members<Lane, law::FacetSprings<T>>(rows.springs, k) * q +
-                       i.of(rows.pressure) * loaded_members<Lane, Vector>(rows.growth_i, k) +
-                       j.of(rows.pressure) * loaded_members<Lane, Vector>(rows.growth_j, k);
+        const FacetParts<T> parts = parts_of<Lane>(rows, k);
+        Vector force = parts.springs * q + i.of(rows.pressure) * parts.growth_i + j.of(rows.pressure) * parts.growth_j;
         if (rows.normal != nullptr) {
             Lane::store(rows.normal + k, held(force.normal));
             Lane::store(rows.shear + k, held(force.shear));

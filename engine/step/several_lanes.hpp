@@ -17,6 +17,7 @@ struct SeveralLanes {
 
     DEMLUA_INLINE static Number load(const double* from) { return loaded<W>(from); }
     DEMLUA_INLINE static void store(double* to, Number value) { demlua::store(to, value); }
+    DEMLUA_INLINE static bool any_marked(const std::uint8_t* marks) { return any_set<W>(marks); }
 
     /// Rows that follow each other, as most do where elements stand in rows, are loaded whole.
     struct Picked {

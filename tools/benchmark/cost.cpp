@@ -2,6 +2,7 @@
 
 #include "engine/step/bond_rows.hpp"
 #include "engine/step/element_rows.hpp"
+#include "engine/step/facet_forces.hpp"
 #include "tools/benchmark/counting_lane.hpp"
 
 #include <algorithm>
@@ -12,10 +13,6 @@ namespace demlua::bench {
 namespace {
 
 constexpr std::size_t most_rows = 16000; // of elements: enough for the count, and quick
-
-/// Of a row of a facet, from step/facet_forces.hpp: bond_motion 60, growth 13, springs and pressures 34, law 21, force 10.
-constexpr std::uint64_t facet_operations = 138;
-constexpr std::uint64_t facet_divisions = 4;
 /// Of a contact that touches, from step/contact_forces.cpp with law/coulomb.hpp.
 constexpr std::uint64_t contact_operations = 86;
 constexpr std::uint64_t contact_divisions = 4;
@@ -36,6 +33,9 @@ public:
         : state_(state), elements_(state.elements), rows_(std::min(state.elements.size(), most_rows)) {}
 
     template <class Law>
+    void count(state::BondSet<law::RateDependent<Law>>& /*bonds*/) {}
+
+    template <class Law>
     void count(state::BondSet<Law>& bonds) {
         const auto run = bonds.dashpots.present() ? step::bond_forces<CountingLane, Law, true>
                                                   : step::bond_forces<CountingLane, Law, false>;
@@ -46,24 +46,18 @@ public:
     template <class Law>
     void count(state::FacetSet<Law>& bonds) {
         const std::size_t facets = sampled(bonds.size());
-        for (std::size_t k = 0; k < facets; ++k) {
-            read_row(k, bonds.i, bonds.j, bonds.Dx, bonds.Dy, bonds.length, bonds.inverse_length, bonds.share_i);
-            read_row(k, bonds.growth_i, bonds.growth_j, bonds.springs);
-            for (const std::size_t e : {std::size_t{bonds.i[k]}, std::size_t{bonds.j[k]}}) {
-                read_row(e, elements_.ux, elements_.uy, elements_.rotation);
-                write_row(e - bonds.incidence.first, bonds.pressure);
-            }
-            if constexpr (Law::breaks) {
-                read_row(k, bonds.broken, bonds.yielding, bonds.area, bonds.normal, bonds.shear);
-                for (const Column<double>& column : bonds.history.columns) read_row(k, column);
-                write_row(k, bonds.normal, bonds.shear);
-            }
-            write_row(k, bonds.motion, bonds.grown_i, bonds.grown_j);
-            write_row(k, bonds.fx, bonds.fy, bonds.moment_i, bonds.moment_j);
+        const step::FacetRows rows = step::rows_of(bonds);
+        const step::ElementRows moving = step::rows_of(elements_);
+        step::measure_facets<CountingLane>(rows, moving, 0, facets);
+        step::press_cells<CountingLane>(step::cells_of(bonds), 0, std::min(rows_, bonds.slots.elements));
+        if (bonds.dashpots.present()) {
+            step::facet_dashpots<CountingLane>(rows, moving, state_.dt, 0, facets);
+            step::facet_forces<CountingLane, true>(rows, moving, 0, facets);
+        } else {
+            step::facet_forces<CountingLane, false>(rows, moving, 0, facets);
         }
-        count_list(bonds.incidence);
-        Tally::operations += facets * facet_operations;
-        Tally::divisions += facets * facet_divisions;
+        if constexpr (Law::breaks) step::mark_suspects<CountingLane, Law>(step::suspects_of(bonds), 0, facets);
+        if constexpr (Law::wakes) step::mark_waking<CountingLane, Law>(step::suspects_of(bonds), 0, facets);
         count_slots(bonds);
     }
 

@@ -87,6 +87,11 @@ struct CountingLane {
         *to = value.value;
     }
 
+    static bool any_marked(const std::uint8_t* marks) {
+        Tally::note_read(marks);
+        return *marks != 0;
+    }
+
     struct Picked {
         Index row;
         explicit Picked(const Index* rows) : row(*rows) { Tally::note_read(rows); }
@@ -103,6 +108,11 @@ struct CountingLane {
         static bool mark_failing(std::uint8_t* broken, bool fails) {
             if (fails) *broken = state::failing;
             return fails;
+        }
+        [[nodiscard]] bool mark(std::uint8_t* to, bool fails) const {
+            Tally::note_written(to);
+            *to = here && fails ? 1 : 0;
+            return *to != 0;
         }
     };
 };
