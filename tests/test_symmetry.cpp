@@ -67,6 +67,7 @@ model::Scene drawn_strip(const model::BondChoice& bonds, const std::vector<std::
     model::Scene scene = test::scene_of(test::concrete());
     scene.step_fraction = 0.4;
     std::vector<model::Disk> disks;
+    disks.reserve(place.size());
     for (const std::size_t each : place) disks.push_back({strip().at[each], R});
     model::Body body = test::disks("strip", disks, bonds);
     // Not 1: the corner that three cells share would lie on the wall itself, and round-off say which of them have it.
