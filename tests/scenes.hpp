@@ -62,6 +62,24 @@ inline model::Selection side_of(std::size_t body, model::Side side) {
     return selection;
 }
 
+/// Two bonded disks of the given radius in contact: the first held, the second given this displacement along x.
+inline model::Scene pulled_pair(const model::BondChoice& bonds, double radius, const Signal& along) {
+    model::Scene scene = scene_of(concrete());
+    scene.bodies.push_back(disks("pair", {{{0.0, 0.0}, radius}, {{2.0 * radius, 0.0}, radius}}, bonds));
+    model::Support held;
+    held.selection = all_of(0);
+    held.selection.where = [radius](Vec2 at) { return at.x < radius; };
+    scene.supports.push_back(held);
+    model::Motion motion;
+    motion.selection = all_of(0);
+    motion.selection.where = [radius](Vec2 at) { return at.x > radius; };
+    motion.displacement_x = along;
+    motion.velocity_y = Signal::constant(0.0);
+    motion.spin = Signal::constant(0.0);
+    scene.motions.push_back(motion);
+    return scene;
+}
+
 /// Looks at the simulation every `every` seconds.
 template <class Look>
 observe::Watcher watching(double every, Look look) {

@@ -43,23 +43,6 @@ model::Scene pair_scene(const model::BondChoice& bonds) {
     return scene;
 }
 
-/// One element held, the other given this displacement along x.
-model::Scene pulled_pair(const model::BondChoice& bonds, const Signal& along) {
-    model::Scene scene = pair_scene(bonds);
-    model::Support held;
-    held.selection = test::all_of(0);
-    held.selection.where = [](Vec2 at) { return at.x < R; };
-    scene.supports.push_back(held);
-    model::Motion motion;
-    motion.selection = test::all_of(0);
-    motion.selection.where = [](Vec2 at) { return at.x > R; };
-    motion.displacement_x = along;
-    motion.velocity_y = Signal::constant(0.0);
-    motion.spin = Signal::constant(0.0);
-    scene.motions.push_back(motion);
-    return scene;
-}
-
 /// Greatest pull and stretch at breaking of a pulled pair.
 struct Broken {
     double pull = 0.0;
@@ -68,7 +51,7 @@ struct Broken {
 };
 
 Broken pull_apart(const model::BondChoice& bonds) {
-    observe::Simulation sim(pulled_pair(bonds, Signal{{0.0, 50e-3}, {0.0, 200e-6}}), 1);
+    observe::Simulation sim(test::pulled_pair(bonds, R, Signal{{0.0, 50e-3}, {0.0, 200e-6}}), 1);
     Broken seen;
     sim.run(50e-3, {test::watching(0.0, [&](observe::Simulation& now) {
                 const observe::Snapshot snapshot = now.snapshot();
@@ -140,7 +123,7 @@ TEST_CASE("a pulled pair breaks at the figures of its law and spends what the cl
 TEST_CASE("a pair drawn, let go and drawn again closes its ledger on the way") {
     const model::BondChoice bonds = GENERATE(from_range(breaking_laws()));
     const Signal there_and_back{{0.0, 10e-3, 20e-3, 70e-3}, {0.0, 8e-6, -2e-6, 60e-6}};
-    observe::Simulation sim(pulled_pair(bonds, there_and_back), 1);
+    observe::Simulation sim(test::pulled_pair(bonds, R, there_and_back), 1);
     double most = 0.0;
     sim.run(70e-3, {test::watching(1e-3, [&](observe::Simulation& now) {
                 const observe::Ledger energy = now.ledger();

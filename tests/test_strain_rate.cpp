@@ -33,24 +33,6 @@ model::BondChoice with_rates(std::optional<double> window = std::nullopt) {
     return bonds;
 }
 
-/// A pair of which one element is held and the other given this displacement along x.
-model::Scene pulled_pair(const model::BondChoice& bonds, const Signal& along) {
-    model::Scene scene = test::scene_of(test::concrete());
-    scene.bodies.push_back(test::disks("pair", {{{0.0, 0.0}, R}, {{2.0 * R, 0.0}, R}}, bonds));
-    model::Support held;
-    held.selection = test::all_of(0);
-    held.selection.where = [](Vec2 at) { return at.x < R; };
-    scene.supports.push_back(held);
-    model::Motion motion;
-    motion.selection = test::all_of(0);
-    motion.selection.where = [](Vec2 at) { return at.x > R; };
-    motion.displacement_x = along;
-    motion.velocity_y = Signal::constant(0.0);
-    motion.spin = Signal::constant(0.0);
-    scene.motions.push_back(motion);
-    return scene;
-}
-
 struct Broken {
     double pull = 0.0;    ///< the greatest, N
     double stretch = 0.0; ///< at breaking, m
@@ -60,7 +42,7 @@ struct Broken {
 
 template <class Law>
 Broken pull_apart(const model::BondChoice& bonds, const Signal& along) {
-    observe::Simulation sim(pulled_pair(bonds, along), 1);
+    observe::Simulation sim(test::pulled_pair(bonds, R, along), 1);
     Broken seen;
     sim.run(along.times.back(), {test::watching(0.0, [&](observe::Simulation& now) {
                 const observe::Snapshot snapshot = now.snapshot();
@@ -147,7 +129,7 @@ TEST_CASE("the mean rate follows a jump with the time constant it was given") {
     // r = rate (1 - exp(-t/window)) after a start at rate, in steps of dt: exact at the instants.
     const double window = 1e-3;
     const double rate = 1e-5;
-    observe::Simulation sim(pulled_pair(with_rates<model::PlateauBonds>(window), at_rate(rate)), 1);
+    observe::Simulation sim(test::pulled_pair(with_rates<model::PlateauBonds>(window), R, at_rate(rate)), 1);
     sim.run(2e-3, {});
     const auto& bonds = std::get<state::BondSet<law::RateDependent<law::Plateau>>>(sim.state().bond_sets[0]);
     // A drive gives the motion from the first half step on: a step more or less of a window.

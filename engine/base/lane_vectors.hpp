@@ -12,7 +12,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <type_traits>
 #if defined(__AVX2__)
 #include <immintrin.h>
 #endif
@@ -140,17 +139,12 @@ DEMLUA_INLINE Lanes<W> picked(const double* from, const Index* rows) {
     return lanes;
 }
 
-/// Whether any of W bytes is not zero, or all are.
+/// Whether any of W bytes is not zero.
 template <std::size_t W>
 DEMLUA_INLINE bool any_set(const std::uint8_t* bytes) {
-    using Word = std::conditional_t<W == 2, std::uint16_t, std::conditional_t<W == 4, std::uint32_t, std::uint64_t>>;
-    bool some = false;
-    for (std::size_t l = 0; l < W; l += sizeof(Word)) {
-        Word word = 0;
-        std::memcpy(&word, bytes + l, sizeof word);
-        some |= word != 0;
-    }
-    return some;
+    std::uint64_t word = 0;
+    std::memcpy(&word, bytes, W);
+    return word != 0;
 }
 template <std::size_t W>
 DEMLUA_INLINE bool all_set(const std::uint8_t* bytes) {

@@ -34,6 +34,13 @@ struct StructColumns {
         return columns[m];
     }
 
+    /// Where each column begins.
+    [[nodiscard]] std::array<const double*, width> begins() const {
+        std::array<const double*, width> all{};
+        for (std::size_t m = 0; m < width; ++m) all[m] = columns[m].data();
+        return all;
+    }
+
     void store(std::size_t row, const Struct& whole) {
         for (std::size_t m = 0; m < width; ++m) columns[m][row] = whole.*Struct::members[m];
     }

@@ -16,25 +16,16 @@ namespace demlua::step {
 template <class Law>
 DEMLUA_INLINE law::BondMotion<double> motion_of(const state::BondTable<Law>& bonds, const state::Elements& elements,
                                                 std::size_t k) {
-    const std::size_t i = bonds.i[k];
-    const std::size_t j = bonds.j[k];
-    const double s = bonds.share_i[k];
-    const double turn = s * elements.rotation[i] + (1.0 - s) * elements.rotation[j];
-    return law::bond_motion(Vec2{bonds.Dx[k], bonds.Dy[k]}, bonds.length[k], bonds.inverse_length[k],
-                            elements.displacement(j) - elements.displacement(i), turn);
+    return motions<OneLane>(rows_of(elements), OneLane::Picked(&bonds.i[k]), OneLane::Picked(&bonds.j[k]),
+                            Vec2{bonds.Dx[k], bonds.Dy[k]}, bonds.length[k], bonds.inverse_length[k], bonds.share_i[k]);
 }
 
 /// Speeds at which a bond stretches and shears, m/s, from the velocities of the last half step.
 template <class Law>
 law::BondForce<double> rates_of(const state::BondTable<Law>& bonds, const state::Elements& elements, std::size_t k,
                                 const law::BondMotion<double>& motion) {
-    const std::size_t i = bonds.i[k];
-    const std::size_t j = bonds.j[k];
-    const double s = bonds.share_i[k];
-    const Vec2 v = elements.velocity(j) - elements.velocity(i);
-    const double l = bonds.length[k];
-    const double turning = dot(v, turned_left(motion.normal)) * motion.inverse_length;
-    return {dot(v, motion.normal), l * (turning - s * elements.spin[i] - (1.0 - s) * elements.spin[j])};
+    return rates<OneLane>(rows_of(elements), OneLane::Picked(&bonds.i[k]), OneLane::Picked(&bonds.j[k]), motion.normal,
+                          motion.inverse_length, bonds.length[k], bonds.share_i[k]);
 }
 
 template <class Law>

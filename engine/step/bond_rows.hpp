@@ -66,6 +66,13 @@ BondRows<Law> rows_of(state::BondSet<Law>& bonds) {
     return rows;
 }
 
+template <class Lane, class Struct, class Column>
+DEMLUA_INLINE Struct loaded_members(const std::array<Column*, Struct::members.size()>& columns, std::size_t k) {
+    Struct whole;
+    for (std::size_t m = 0; m < columns.size(); ++m) whole.*Struct::members[m] = Lane::load(columns[m] + k);
+    return whole;
+}
+
 /// What happened to any of some rows.
 struct Happened {
     bool fails = false;
@@ -83,6 +90,15 @@ struct Happened {
 template <class Law>
 using BondKernel = Happened (*)(const BondRows<Law>& bonds, const ElementRows& elements, double dt, std::size_t begin,
                                 std::size_t end);
+
+/// Kinematics of bonds in the present configuration; s share of i in their length l.
+template <class Lane, class T>
+DEMLUA_INLINE law::BondMotion<T> motions(const ElementRows& elements, const typename Lane::Picked& i,
+                                         const typename Lane::Picked& j, Vector2<T> D, T l, T inverse_l, T s) {
+    const T turn = s * i.of(elements.rotation) + (1.0 - s) * j.of(elements.rotation);
+    const Vector2<T> du{j.of(elements.ux) - i.of(elements.ux), j.of(elements.uy) - i.of(elements.uy)};
+    return law::bond_motion(D, l, inverse_l, du, turn);
+}
 
 /// Speeds at which bonds stretch and shear, m/s, from the velocities of the last half step.
 template <class Lane, class T>
@@ -109,6 +125,17 @@ DEMLUA_INLINE void add_dashpots(const Rows& bonds, std::size_t k, const Held& he
     force.shear += shear;
 }
 
+/// Writes the forces on the elements of rows: normal force along n, `couple` the shear force times the length at bonding.
+template <class Lane, class Rows, class T>
+DEMLUA_INLINE void put_force(const Rows& bonds, std::size_t k, Vector2<T> n, T inverse_d, T normal, T couple,
+                             T moment_i, T moment_j) {
+    const Vector2<T> f = normal * n + (couple * inverse_d) * turned_left(n);
+    Lane::store(bonds.fx + k, f.x);
+    Lane::store(bonds.fy + k, f.y);
+    Lane::store(bonds.moment_i + k, moment_i);
+    Lane::store(bonds.moment_j + k, moment_j);
+}
+
 /// Motions of a few rows, which stay in the nearest memory between the two loops of a kernel.
 struct MotionBlock {
     static constexpr std::size_t rows = 64;
@@ -122,12 +149,10 @@ void measure(const BondRows<Law>& bonds, const ElementRows& elements, std::size_
     for (std::size_t k = begin; k < end; k += Lane::width) {
         const typename Lane::Picked i(bonds.i + k);
         const typename Lane::Picked j(bonds.j + k);
-        const T s = Lane::load(bonds.share_i + k);
-        const T turn = s * i.of(elements.rotation) + (1.0 - s) * j.of(elements.rotation);
         const Vector2<T> D{Lane::load(bonds.Dx + k), Lane::load(bonds.Dy + k)};
-        const Vector2<T> du{j.of(elements.ux) - i.of(elements.ux), j.of(elements.uy) - i.of(elements.uy)};
         const law::BondMotion<T> motion =
-            law::bond_motion(D, Lane::load(bonds.length + k), Lane::load(bonds.inverse_length + k), du, turn);
+            motions<Lane>(elements, i, j, D, Lane::load(bonds.length + k), Lane::load(bonds.inverse_length + k),
+                          Lane::load(bonds.share_i + k));
         const std::size_t at = k - begin;
         Lane::store(block.inverse_length + at, motion.inverse_length);
         Lane::store(block.normal_x + at, motion.normal.x);
@@ -158,12 +183,7 @@ Happened respond(const BondRows<Law>& bonds, const ElementRows& elements, double
         const T s = Lane::load(bonds.share_i + k);
         const T l = Lane::load(bonds.length + k);
         const T radius = Lane::load(bonds.radius + k);
-        History before{};
-        if (bonds.remembers) {
-            for (std::size_t m = 0; m < bonds.history.size(); ++m) {
-                before.*History::members[m] = Lane::load(bonds.history[m] + k);
-            }
-        }
+        const History before = bonds.remembers ? loaded_members<Lane, History>(bonds.history, k) : History{};
         History history = before;
         law::BondForce<T> force = Law::respond(bonds.params, radius, motion, history);
         // Most bonds never yield: their lines of memory need not be written back.
@@ -183,12 +203,8 @@ Happened respond(const BondRows<Law>& bonds, const ElementRows& elements, double
             add_dashpots<Lane>(bonds, k, held, rate, dt, force);
         }
         const T couple = held(force.shear * l);
-        const Vector2<T> f =
-            held(force.normal) * motion.normal + (couple * motion.inverse_length) * turned_left(motion.normal);
-        Lane::store(bonds.fx + k, f.x);
-        Lane::store(bonds.fy + k, f.y);
-        Lane::store(bonds.moment_i + k, couple * s);
-        Lane::store(bonds.moment_j + k, couple * (1.0 - s));
+        put_force<Lane>(bonds, k, motion.normal, motion.inverse_length, held(force.normal), couple, couple * s,
+                        couple * (1.0 - s));
     }
     return happened;
 }

@@ -70,11 +70,6 @@ void grow_cell_sides(state::FacetSet<Law>& bonds, const state::Elements& element
 
 template <class Law>
 FacetRows rows_of(state::FacetSet<Law>& bonds) {
-    const auto begins = [](const auto& table) {
-        std::array<const double*, std::tuple_size_v<decltype(table.columns)>> begin{};
-        for (std::size_t m = 0; m < begin.size(); ++m) begin[m] = table.columns[m].data();
-        return begin;
-    };
     FacetRows rows{};
     rows.i = bonds.i.data();
     rows.j = bonds.j.data();
@@ -87,9 +82,9 @@ FacetRows rows_of(state::FacetSet<Law>& bonds) {
     rows.area = bonds.area.data();
     rows.centre = bonds.centre.data();
     rows.walled = bonds.walled.data();
-    rows.springs = begins(bonds.springs);
-    rows.growth_i = begins(bonds.growth_i);
-    rows.growth_j = begins(bonds.growth_j);
+    rows.springs = bonds.springs.begins();
+    rows.growth_i = bonds.growth_i.begins();
+    rows.growth_j = bonds.growth_j.begins();
     if constexpr (Law::yields) {
         using History = typename Law::template History<double>;
         if (bonds.remembers) {
@@ -173,11 +168,8 @@ struct Failing {
 
 template <class Law>
 SuspectRows<Law> suspects_of(state::FacetSet<Law>& bonds) {
-    SuspectRows<Law> rows{bonds.tractions,     bonds.normal.data(), bonds.shear.data(),
-                          bonds.area.data(),   bonds.radius.data(), {},
-                          bonds.broken.data(), bonds.suspect.data()};
-    for (std::size_t m = 0; m < rows.history.size(); ++m) rows.history[m] = bonds.history.columns[m].data();
-    return rows;
+    return {bonds.tractions,     bonds.normal.data(),    bonds.shear.data(),  bonds.area.data(),
+            bonds.radius.data(), bonds.history.begins(), bonds.broken.data(), bonds.suspect.data()};
 }
 
 /// What facet `k`, under the forces of this instant, can no longer bear; nothing if it holds as it is.

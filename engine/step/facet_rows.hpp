@@ -54,13 +54,6 @@ struct CellRows {
 /// Fills the pressures of cells [begin, end).
 using PressureKernel = void (*)(const CellRows& cells, std::size_t begin, std::size_t end);
 
-template <class Lane, class Struct>
-DEMLUA_INLINE Struct loaded_members(const std::array<const double*, Struct::members.size()>& columns, std::size_t k) {
-    Struct whole;
-    for (std::size_t m = 0; m < columns.size(); ++m) whole.*Struct::members[m] = Lane::load(columns[m] + k);
-    return whole;
-}
-
 /// What a facet is made of: most of it follows from four numbers, which take less time to read than what they stand for.
 template <class T>
 struct FacetParts {
@@ -102,14 +95,12 @@ void measure_facets(const FacetRows& rows, const ElementRows& elements, std::siz
         if (held.none()) continue;
         const typename Lane::Picked i(rows.i + k);
         const typename Lane::Picked j(rows.j + k);
-        const T s = Lane::load(rows.share_i + k);
-        const T theta_i = i.of(elements.rotation);
-        const T theta_j = j.of(elements.rotation);
         const Vector2<T> D{Lane::load(rows.Dx + k), Lane::load(rows.Dy + k)};
-        const Vector2<T> du{j.of(elements.ux) - i.of(elements.ux), j.of(elements.uy) - i.of(elements.uy)};
-        const law::BondMotion<T> motion = law::bond_motion(
-            D, Lane::load(rows.length + k), Lane::load(rows.inverse_length + k), du, s * theta_i + (1.0 - s) * theta_j);
-        const Vector q = elastic_part<Lane>(rows, k, motion.stretch, motion.shear, theta_j - theta_i);
+        const law::BondMotion<T> motion =
+            motions<Lane>(elements, i, j, D, Lane::load(rows.length + k), Lane::load(rows.inverse_length + k),
+                          Lane::load(rows.share_i + k));
+        const Vector q = elastic_part<Lane>(rows, k, motion.stretch, motion.shear,
+                                            j.of(elements.rotation) - i.of(elements.rotation));
         Lane::store(rows.inverse_d + k, motion.inverse_length);
         Lane::store(rows.normal_x + k, motion.normal.x);
         Lane::store(rows.normal_y + k, motion.normal.y);
@@ -179,11 +170,8 @@ void facet_forces(const FacetRows& rows, const ElementRows& elements, std::size_
         const T couple = held(force.shear * Lane::load(rows.length + k));
         const T bending = held(force.turn);
         const Vector2<T> n{Lane::load(rows.normal_x + k), Lane::load(rows.normal_y + k)};
-        const Vector2<T> f = held(force.normal) * n + (couple * Lane::load(rows.inverse_d + k)) * turned_left(n);
-        Lane::store(rows.fx + k, f.x);
-        Lane::store(rows.fy + k, f.y);
-        Lane::store(rows.moment_i + k, couple * s + bending);
-        Lane::store(rows.moment_j + k, couple * (1.0 - s) - bending);
+        put_force<Lane>(rows, k, n, Lane::load(rows.inverse_d + k), held(force.normal), couple, couple * s + bending,
+                        couple * (1.0 - s) - bending);
     }
 }
 
@@ -202,32 +190,36 @@ struct SuspectRows {
 template <class Law>
 using SuspectKernel = bool (*)(const SuspectRows<Law>& rows, std::size_t begin, std::size_t end);
 
+/// Marks the rows that hold and of which `may(k, force)` says so.
+template <class Lane, class Law, class May>
+bool mark_rows(const SuspectRows<Law>& rows, std::size_t begin, std::size_t end, const May& may) {
+    using T = typename Lane::Number;
+    bool some = false;
+    for (std::size_t k = begin; k < end; k += Lane::width) {
+        const law::BondForce<T> force{Lane::load(rows.normal + k), Lane::load(rows.shear + k)};
+        const typename Lane::Held held(rows.broken + k);
+        some |= held.mark(rows.suspect + k, may(k, force));
+    }
+    return some;
+}
+
 template <class Lane, class Law>
 bool mark_suspects(const SuspectRows<Law>& rows, std::size_t begin, std::size_t end) {
     using T = typename Lane::Number;
     using History = typename Law::template History<T>;
-    bool some = false;
-    for (std::size_t k = begin; k < end; k += Lane::width) {
-        const law::BondForce<T> force{Lane::load(rows.normal + k), Lane::load(rows.shear + k)};
-        const auto may = Law::may_fail(rows.tractions, Lane::load(rows.area + k), Lane::load(rows.radius + k), force,
-                                       loaded_members<Lane, History>(rows.history, k));
-        const typename Lane::Held held(rows.broken + k);
-        some |= held.mark(rows.suspect + k, may);
-    }
-    return some;
+    return mark_rows<Lane>(rows, begin, end, [&](std::size_t k, const law::BondForce<T>& force) {
+        return Law::may_fail(rows.tractions, Lane::load(rows.area + k), Lane::load(rows.radius + k), force,
+                             loaded_members<Lane, History>(rows.history, k));
+    });
 }
 
 /// The same for the rows that may wake.
 template <class Lane, class Law>
 bool mark_waking(const SuspectRows<Law>& rows, std::size_t begin, std::size_t end) {
     using T = typename Lane::Number;
-    bool some = false;
-    for (std::size_t k = begin; k < end; k += Lane::width) {
-        const law::BondForce<T> force{Lane::load(rows.normal + k), Lane::load(rows.shear + k)};
-        const typename Lane::Held held(rows.broken + k);
-        some |= held.mark(rows.suspect + k, Law::may_wake(rows.tractions, Lane::load(rows.area + k), force));
-    }
-    return some;
+    return mark_rows<Lane>(rows, begin, end, [&](std::size_t k, const law::BondForce<T>& force) {
+        return Law::may_wake(rows.tractions, Lane::load(rows.area + k), force);
+    });
 }
 
 } // namespace demlua::step
