@@ -99,6 +99,7 @@ struct Body {
     Vec2 velocity;     ///< at the start, m/s
     double spin = 0.0; ///< at the start, about the centre of mass, rad/s
     bool rigid = false;
+    bool in_clusters = false; ///< bonds or rigidity hold each cluster of the packing together, not the body as a whole
     Place place;
 };
 

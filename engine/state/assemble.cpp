@@ -23,7 +23,8 @@ packing::Packing listed(const model::ListedDisks& list) {
     for (const model::Disk& disk : list.disks) {
         pack.centre.push_back(disk.centre);
         pack.radius.push_back(disk.radius);
-        pack.cluster.push_back(static_cast<Index>(pack.cluster.size()));
+        const std::size_t k = pack.cluster.size();
+        pack.cluster.push_back(list.clusters.empty() ? static_cast<Index>(k) : list.clusters[k]);
         pack.cell_area.push_back(std::numbers::pi * disk.radius * disk.radius);
     }
     return pack;
