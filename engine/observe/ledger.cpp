@@ -26,13 +26,11 @@ struct Motion {
 Motion motion_energy(const state::State& state) {
     const state::Elements& elements = state.elements;
     Motion sum;
-    for (const state::Body& body : state.bodies) {
-        if (body.rigid) continue;
-        for (std::size_t k = body.first; k < body.last; ++k) {
-            sum.add(state, elements.vx[k], elements.fx[k], elements.mass(k));
-            sum.add(state, elements.vy[k], elements.fy[k], elements.mass(k));
-            sum.add(state, elements.spin[k], elements.moment[k], elements.inertia(k));
-        }
+    for (std::size_t k = 0; k < elements.size(); ++k) {
+        if (state.rigid_of(k)) continue;
+        sum.add(state, elements.vx[k], elements.fx[k], elements.mass(k));
+        sum.add(state, elements.vy[k], elements.fy[k], elements.mass(k));
+        sum.add(state, elements.spin[k], elements.moment[k], elements.inertia(k));
     }
     for (const state::RigidBody& rigid : state.rigid_bodies) {
         sum.add(state, rigid.velocity.x, rigid.force.x, rigid.mass);
@@ -84,7 +82,10 @@ double gravity_energy(const state::State& state) {
     if (state.gravity == Vec2{}) return sum;
     const state::Elements& elements = state.elements;
     for (std::size_t k = 0; k < elements.size(); ++k) {
-        sum -= elements.mass(k) * dot(state.gravity, elements.displacement(k));
+        if (!state.rigid_of(k)) sum -= elements.mass(k) * dot(state.gravity, elements.displacement(k));
+    }
+    for (const state::RigidBody& rigid : state.rigid_bodies) {
+        sum -= rigid.mass * dot(state.gravity, rigid.displacement);
     }
     return sum;
 }
@@ -94,7 +95,7 @@ double gravity_energy(const state::State& state) {
 Vec2 velocity_now(const state::State& state, std::size_t element) {
     const state::Elements& elements = state.elements;
     const Vec2 v = elements.velocity(element);
-    if (state.bodies[elements.body[element]].rigid) return v;
+    if (state.rigid_of(element)) return v;
     const double inverse_mass = elements.inverse_mass[element];
     const step::Kick kicked(state.alpha, state.dt);
     return 0.5 *
@@ -104,7 +105,7 @@ Vec2 velocity_now(const state::State& state, std::size_t element) {
 double spin_now(const state::State& state, std::size_t element) {
     const state::Elements& elements = state.elements;
     const double spin = elements.spin[element];
-    if (state.bodies[elements.body[element]].rigid) return spin;
+    if (state.rigid_of(element)) return spin;
     const step::Kick kicked(state.alpha, state.dt);
     return 0.5 * (spin + kicked(spin, elements.moment[element], elements.inverse_inertia[element]));
 }
@@ -144,12 +145,9 @@ Momentum momentum_of(const state::State& state) {
         sum.linear += mass * velocity;
         sum.angular += mass * cross(position, velocity) + inertia * spin;
     };
-    for (const state::Body& body : state.bodies) {
-        if (body.rigid) continue;
-        for (std::size_t k = body.first; k < body.last; ++k) {
-            add(elements.mass(k), elements.inertia(k), elements.position(k), velocity_now(state, k),
-                spin_now(state, k));
-        }
+    for (std::size_t k = 0; k < elements.size(); ++k) {
+        if (state.rigid_of(k)) continue;
+        add(elements.mass(k), elements.inertia(k), elements.position(k), velocity_now(state, k), spin_now(state, k));
     }
     for (const state::RigidBody& rigid : state.rigid_bodies) {
         const step::Kick kicked(state.alpha, state.dt);

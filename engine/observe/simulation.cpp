@@ -268,7 +268,7 @@ void Simulation::set_wall_velocity(std::size_t wall, const Signal& x, const Sign
 void Simulation::set_velocity(const model::Selection& selection, Vec2 velocity) {
     const double before = ledger_of(*state_).kinetic;
     for (const Index k : state::selected(selection, *state_)) {
-        if (const auto rigid = state_->bodies[state_->elements.body[k]].rigid) {
+        if (const auto rigid = state_->rigid_of(k)) {
             state_->rigid_bodies[*rigid].velocity = velocity;
         }
         state_->elements.vx[k] = velocity.x;

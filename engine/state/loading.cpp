@@ -27,15 +27,17 @@ Drive drive_of(const Column<Index>& rows, const State& state, Freedom freedom, c
     drive.value = value;
     drive.is_displacement = is_displacement;
     for (const Index k : rows) {
-        const std::optional<std::size_t> rigid = state.bodies[state.elements.body[k]].rigid;
+        const std::optional<std::size_t> rigid = state.rigid_of(k);
         if (!rigid) {
             drive.element.push_back(k);
             const Elements& elements = state.elements;
             if (is_displacement) drive.begin.push_back(freedom == Freedom::x ? elements.ux[k] : elements.uy[k]);
-        } else if (std::find(drive.rigid.begin(), drive.rigid.end(), *rigid) == drive.rigid.end()) {
+        } else {
             drive.rigid.push_back(*rigid);
         }
     }
+    std::sort(drive.rigid.begin(), drive.rigid.end());
+    drive.rigid.erase(std::unique(drive.rigid.begin(), drive.rigid.end()), drive.rigid.end());
     drive.reaction.resize(drive.element.size());
     drive.rigid_reaction.resize(drive.rigid.size());
     return drive;

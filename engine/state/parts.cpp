@@ -22,8 +22,8 @@ std::vector<std::int32_t> part_of_elements(const State& state) {
             any);
     }
     for (const RigidBody& rigid : state.rigid_bodies) {
-        const Body& body = state.bodies[rigid.body];
-        for (std::size_t k = body.first; k < body.last; ++k) sets.join(body.first, k);
+        const auto members = state.members(rigid);
+        for (const Index k : members) sets.join(members.front(), k);
     }
     std::vector<std::int32_t> part(state.elements.size());
     std::int32_t next = 0;

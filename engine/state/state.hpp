@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,14 +30,15 @@ struct Body {
     std::size_t material = 0;
     std::size_t first = 0;            ///< rows of its elements
     std::size_t last = 0;             ///< one past them
-    std::optional<std::size_t> rigid; ///< row of State::rigid_bodies
+    bool rigid = false;               ///< its elements move with rigid bodies, but for those in State::single
 
     [[nodiscard]] std::size_t size() const { return last - first; }
 };
 
-/// Elements that move as one. Their own rows follow from it.
+/// Elements that move as one: a whole body, or a cluster. Their own rows follow from it.
 struct RigidBody {
-    std::size_t body = 0;
+    std::size_t first = 0; ///< rows of State::rigid_members
+    std::size_t last = 0;
     double mass = 0.0;    ///< kg
     double inertia = 0.0; ///< about the centre of mass, kg m^2
     Vec2 centre;          ///< at the start, m
@@ -91,6 +93,9 @@ struct State {
     std::vector<Wall> walls;
     WallContacts wall_contacts;
     std::vector<RigidBody> rigid_bodies;
+    Column<Index> rigid_members; ///< elements of the rigid bodies, one body after the other
+    Column<Index> rigid_row;     ///< of each element its rigid body, or `no_rigid`; empty without rigid bodies
+    Column<Index> single;        ///< elements of bodies called rigid that move on their own
     std::vector<Load> loads; ///< forces first, then tractions, in the scene's order
     std::vector<Drive> drives;
 
@@ -98,6 +103,17 @@ struct State {
     Vec2 gravity;           ///< m/s^2
     double alpha = 0.0;     ///< mass-proportional damping, 1/s
     Booked booked;
+
+    static constexpr Index no_rigid = static_cast<Index>(-1);
+    /// Row of the rigid body that element `k` moves with, if any.
+    [[nodiscard]] std::optional<std::size_t> rigid_of(std::size_t k) const {
+        if (rigid_row.empty() || rigid_row[k] == no_rigid) return std::nullopt;
+        return rigid_row[k];
+    }
+    /// The elements of a rigid body.
+    [[nodiscard]] std::span<const Index> members(const RigidBody& rigid) const {
+        return {rigid_members.data() + rigid.first, rigid.last - rigid.first};
+    }
 };
 
 } // namespace demlua::state

@@ -65,7 +65,7 @@ std::vector<Candidate> candidates(const state::State& state, Search& search) {
         const Index j = std::max(a, b);
         double reference = elements.radius[i] + elements.radius[j];
         if (elements.body[i] == elements.body[j]) {
-            if (state.bodies[elements.body[i]].rigid) return;
+            if (const auto rigid = state.rigid_of(i); rigid && rigid == state.rigid_of(j)) return;
             const BondedPair bonded = look_up(state, search, i, j);
             if (bonded.intact) return;
             if (bonded.reference > 0.0) reference = bonded.reference;
