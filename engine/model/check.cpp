@@ -22,6 +22,7 @@ std::optional<Network> network_of(const Body& body) {
         },
         body.bonds);
     if (chosen != Network::automatic) return chosen;
+    if (body.in_clusters) return Network::contacts;
     if (std::holds_alternative<ClosePacking>(body.packing)) return Network::unit_cell;
     return std::holds_alternative<ListedDisks>(body.packing) ? Network::contacts : Network::facets;
 }
@@ -88,6 +89,11 @@ void check_consolidation(const Body& body, const Consolidation& packing, Finding
 
 void check_network(const Body& body, Findings& findings) {
     const std::optional<Network> network = network_of(body);
+    if (network && body.in_clusters && (*network == Network::facets || *network == Network::delaunay)) {
+        findings.add(body.place, "body.bonds", *network == Network::facets ? "\"facets\"" : "\"delaunay\"",
+                     "must be \"contacts\" for bonds within clusters");
+        return;
+    }
     if (!network || !body.region.bounds().empty()) return;
     if (*network == Network::facets || *network == Network::delaunay) {
         findings.add(body.place, "body.bonds", *network == Network::facets ? "\"facets\"" : "\"delaunay\"",

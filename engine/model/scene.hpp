@@ -32,6 +32,8 @@ struct Material {
     std::optional<double> fracture_energy;    ///< J/m^2, says the same as the toughness
     double rate_factor = 1.0;                 ///< constant factor on tensile strength and on fracture energy
     double friction = 0.0;                    ///< Coulomb coefficient
+    double rolling_friction = 0.0;            ///< greatest rolling moment over pressure and reduced radius
+    std::optional<double> wear_energy_density; ///< W0: sliding work per volume after which an element leaves its cluster, J/m^3
     std::optional<double> restitution;        ///< of a head-on impact, (0, 1]
     std::optional<double> contact_damping;    ///< fraction of critical of the contact dashpots
     Place place;
@@ -240,6 +242,8 @@ struct Scene {
     StepRule time_step = StepRule::sharp;
     double step_fraction = 0.8; ///< of the critical time step
     double greatest_move = 0.2; ///< share of its radius an element may move in a step
+    std::optional<Vec2> periodic_x; ///< edges of a box that repeats along x, m
+    Region domain;                  ///< elements that leave it are taken out; empty: there is none
     Place place;
 
     std::vector<Material> materials;

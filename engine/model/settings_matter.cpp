@@ -54,6 +54,12 @@ const WordOf<Scene>& simulation() {
                                        "share of the critical time step that is used"),
             row<&Scene::greatest_move>("greatest_move", "", optional, step_share,
                                        "share of its radius that an element may move in a step; more stops the run"),
+            row<&Scene::periodic_x>("periodic_x", "m", optional, any,
+                                    "left and right edge of a box that repeats along x: what leaves it on one side "
+                                    "comes in on the other"),
+            row<&Scene::domain>("domain", optional,
+                                "elements whose centre leaves it are taken out, with all they are held together with "
+                                "once that has left as a whole, and counted as now.removed"),
         });
     return made;
 }
@@ -79,6 +85,13 @@ const WordOf<Material>& material() {
                                         "constant strain-rate factor on tensile strength and fracture energy"),
             row<&Material::friction>("friction", "", optional, non_negative,
                                      "Coulomb coefficient; the smaller of two materials' counts"),
+            row<&Material::rolling_friction>("rolling_friction", "", optional, non_negative,
+                                             "greatest moment against rolling over pressure and reduced radius; the "
+                                             "smaller of two materials' counts"),
+            row<&Material::wear_energy_density>(
+                "wear_energy_density", "J/m^3", optional, positive,
+                "W0 of Tavarez & Plesha 2007, eqs 1 and 2: an element leaves its cluster once sliding on others has "
+                "spent this much per volume of it"),
             row<&Material::restitution>("restitution", "", optional, share,
                                         "speed after over speed before a head-on impact"),
             row<&Material::contact_damping>("contact_damping", "", optional, non_negative,

@@ -33,6 +33,7 @@ Motion motion_energy(const state::State& state) {
         sum.add(state, elements.spin[k], elements.moment[k], elements.inertia(k));
     }
     for (const state::RigidBody& rigid : state.rigid_bodies) {
+        if (rigid.empty()) continue;
         sum.add(state, rigid.velocity.x, rigid.force.x, rigid.mass);
         sum.add(state, rigid.velocity.y, rigid.force.y, rigid.mass);
         sum.add(state, rigid.spin, rigid.moment, rigid.inertia);
@@ -150,11 +151,12 @@ Momentum momentum_of(const state::State& state) {
         add(elements.mass(k), elements.inertia(k), elements.position(k), velocity_now(state, k), spin_now(state, k));
     }
     for (const state::RigidBody& rigid : state.rigid_bodies) {
+        if (rigid.empty()) continue;
         const step::Kick kicked(state.alpha, state.dt);
         const auto now = [&](double v, double force, double inertia) {
             return 0.5 * (v + kicked(v, force, 1.0 / inertia));
         };
-        add(rigid.mass, rigid.inertia, rigid.centre + rigid.displacement,
+        add(rigid.mass, rigid.inertia, rigid.middle(),
             {now(rigid.velocity.x, rigid.force.x, rigid.mass), now(rigid.velocity.y, rigid.force.y, rigid.mass)},
             now(rigid.spin, rigid.moment, rigid.inertia));
     }

@@ -89,6 +89,7 @@ std::vector<std::string> warnings(const model::Scene& scene, const state::State&
     for (std::size_t row = 0; row < scene.bodies.size(); ++row) {
         const std::optional<model::Network> network = model::network_of(scene.bodies[row]);
         if (network != model::Network::contacts && network != model::Network::delaunay) continue;
+        if (scene.bodies[row].in_clusters) continue;
         const std::optional<law::PlaneModuli> plane = step::real_moduli(state, row);
         if (!plane) continue;
         const law::PlaneModuli real = law::solid_moduli(*plane, scene.plane == model::Plane::strain);

@@ -8,11 +8,13 @@ namespace demlua::observe {
 namespace {
 
 template <class Pairs>
-void add_pairs(const Pairs& pairs, const state::Elements& elements, std::vector<step::PlaneStress>& stress) {
+void add_pairs(const Pairs& pairs, const state::Elements& elements, Period period,
+               std::vector<step::PlaneStress>& stress) {
     for (std::size_t k = 0; k < pairs.size(); ++k) {
         const std::size_t i = pairs.i[k];
         const std::size_t j = pairs.j[k];
-        const Vec2 span = elements.position(j) - elements.position(i);
+        Vec2 span = elements.position(j) - elements.position(i);
+        if (period.repeats()) span = period.shortest(span);
         const double share = elements.radius[i] / (elements.radius[i] + elements.radius[j]);
         const Vec2 f{pairs.fx[k], pairs.fy[k]};
         stress[i].add(f, share * span);
@@ -22,7 +24,7 @@ void add_pairs(const Pairs& pairs, const state::Elements& elements, std::vector<
 
 /// A facet's force acts at its middle.
 template <class Law>
-void add_pairs(const state::FacetSet<Law>& bonds, const state::Elements& elements,
+void add_pairs(const state::FacetSet<Law>& bonds, const state::Elements& elements, Period /*period*/,
                std::vector<step::PlaneStress>& stress) {
     for (std::size_t k = 0; k < bonds.size(); ++k) {
         const Vec2 span = elements.position(bonds.j[k]) - elements.position(bonds.i[k]);
@@ -40,9 +42,9 @@ std::vector<double> stress_of_elements(const state::State& state) {
     const state::Elements& elements = state.elements;
     std::vector<step::PlaneStress> stress(elements.size());
     for (const state::AnyBondSet& any : state.bond_sets) {
-        std::visit([&](const auto& bonds) { add_pairs(bonds, elements, stress); }, any);
+        std::visit([&](const auto& bonds) { add_pairs(bonds, elements, {}, stress); }, any);
     }
-    add_pairs(state.contacts, elements, stress);
+    add_pairs(state.contacts, elements, state.period, stress);
     for (std::size_t c = 0; c < state.wall_contacts.size(); ++c) {
         const std::size_t e = state.wall_contacts.element[c];
         const step::WallGap gap =

@@ -4,6 +4,7 @@
 #include "engine/law/restitution.hpp"
 #include "engine/model/check_fracture.hpp"
 #include "engine/model/derived_law.hpp"
+#include "engine/packing/disk_union.hpp"
 #include "engine/packing/packing.hpp"
 #include "engine/state/bond_assembly.hpp"
 #include "engine/state/parts.hpp"
@@ -11,6 +12,8 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <numbers>
+#include <numeric>
+#include <span>
 #include <type_traits>
 #include <utility>
 
@@ -77,6 +80,7 @@ MaterialFacts facts_of(const model::Material& material, const model::Scene& scen
         law::plane_moduli(material.youngs_modulus, material.poissons_ratio, scene.plane == model::Plane::strain),
         scene.thickness);
     facts.friction = material.friction;
+    facts.rolling_friction = material.rolling_friction;
     if (material.contact_damping) facts.damping_fraction = *material.contact_damping;
     if (material.restitution) facts.damping_fraction = law::damping_fraction(*material.restitution);
     return facts;
@@ -95,7 +99,7 @@ void place_body(const model::Scene& scene, std::size_t row, const packing::Packi
     const model::Body& said = scene.bodies[row];
     const double density = scene.materials[said.material].density;
     Elements& elements = state.elements;
-    Body body{said.name, said.material, elements.size(), elements.size() + pack.centre.size(), std::nullopt};
+    Body body{said.name, said.material, elements.size(), elements.size() + pack.centre.size(), false, said.in_clusters};
     elements.grow(pack.centre.size());
     const double factor = inertia_factor(said);
     for (std::size_t p = 0; p < pack.centre.size(); ++p) {
@@ -114,38 +118,91 @@ void place_body(const model::Scene& scene, std::size_t row, const packing::Packi
     state.bodies.push_back(std::move(body));
 }
 
-RigidBody as_one(const State& state, std::size_t row) {
+/// Mass, middle and inertia of some elements together.
+RigidBody as_one(const State& state, std::span<const Index> rows) {
     const Elements& elements = state.elements;
-    const Body& body = state.bodies[row];
     RigidBody rigid;
-    rigid.body = row;
-    for (std::size_t k = body.first; k < body.last; ++k) {
+    for (const Index k : rows) {
         rigid.mass += elements.mass(k);
         rigid.centre += elements.mass(k) * elements.position(k);
     }
     rigid.centre = rigid.centre / rigid.mass;
-    for (std::size_t k = body.first; k < body.last; ++k) {
+    for (const Index k : rows) {
         const Vec2 arm = elements.position(k) - rigid.centre;
         rigid.inertia += elements.mass(k) * dot(arm, arm) + elements.inertia(k);
     }
     return rigid;
 }
 
+/// Rows of one body.
+Column<Index> rows_of(const Body& body) {
+    Column<Index> rows(body.size());
+    std::iota(rows.begin(), rows.end(), static_cast<Index>(body.first));
+    return rows;
+}
+
 void set_moving(const model::Body& said, std::size_t row, State& state) {
-    const RigidBody whole = as_one(state, row);
+    const Column<Index> rows = rows_of(state.bodies[row]);
+    const Vec2 centre = as_one(state, rows).centre;
     Elements& elements = state.elements;
-    const Body& body = state.bodies[row];
-    for (std::size_t k = body.first; k < body.last; ++k) {
-        const Vec2 v = said.velocity + said.spin * turned_left(elements.position(k) - whole.centre);
+    for (const Index k : rows) {
+        const Vec2 v = said.velocity + said.spin * turned_left(elements.position(k) - centre);
         elements.vx[k] = v.x;
         elements.vy[k] = v.y;
         elements.spin[k] = said.spin;
     }
-    if (!said.rigid) return;
-    state.bodies[row].rigid = state.rigid_bodies.size();
-    state.rigid_bodies.push_back(whole);
-    state.rigid_bodies.back().velocity = said.velocity;
-    state.rigid_bodies.back().spin = said.spin;
+}
+
+/// Makes the elements in `rows` a rigid body moving as they do.
+void join_rigidly(State& state, std::span<const Index> rows, const RigidBody& whole) {
+    const Elements& elements = state.elements;
+    RigidBody rigid = whole;
+    rigid.first = state.rigid_members.size();
+    for (const Index k : rows) {
+        state.rigid_members.push_back(k);
+        state.rigid_row[k] = static_cast<Index>(state.rigid_bodies.size());
+        rigid.velocity += (elements.mass(k) / rigid.mass) * elements.velocity(k);
+    }
+    rigid.last = state.rigid_members.size();
+    rigid.spin = elements.spin[rows.front()];
+    state.rigid_bodies.push_back(rigid);
+}
+
+/// A cluster as one: the union of its disks, at the density of the material.
+RigidBody rigid_cluster(const State& state, std::span<const Index> rows) {
+    const Elements& elements = state.elements;
+    RigidBody whole = as_one(state, rows);
+    std::vector<model::Disk> disks;
+    for (const Index k : rows) disks.push_back({elements.position(k), elements.radius[k]});
+    const packing::Lamina lamina = packing::union_of(disks);
+    whole.centre = lamina.centroid;
+    whole.inertia = whole.mass / lamina.area * lamina.polar;
+    return whole;
+}
+
+/// Elements of a cluster stand in one row after the other here; single ones move on their own.
+void make_rigid(const model::Body& said, std::size_t row, State& state) {
+    state.bodies[row].rigid = true;
+    state.rigid_row.resize(state.elements.size(), State::no_rigid);
+    Column<Index> rows = rows_of(state.bodies[row]);
+    if (!said.in_clusters) {
+        join_rigidly(state, rows, as_one(state, rows));
+        state.rigid_bodies.back().velocity = said.velocity;
+        return;
+    }
+    const Column<Index>& cluster = state.elements.cluster;
+    std::stable_sort(rows.begin(), rows.end(), [&](Index a, Index b) { return cluster[a] < cluster[b]; });
+    for (auto begin = rows.begin(); begin != rows.end();) {
+        const auto end = std::find_if(begin, rows.end(), [&](Index k) { return cluster[k] != cluster[*begin]; });
+        const std::span<const Index> members(begin, end);
+        if (members.size() == 1) {
+            state.single.push_back(members.front());
+        } else {
+            join_rigidly(state, members, rigid_cluster(state, members));
+        }
+        begin = end;
+    }
+    std::sort(state.single.begin(), state.single.end());
 }
 
 /// Bodies that lie in one another by more than a pack may overlap its region start with forces nobody asked for.
@@ -195,6 +252,7 @@ void lay_out_materials(const model::Scene& scene, State& state) {
     for (const MaterialFacts& a : state.materials) {
         for (const MaterialFacts& b : state.materials) state.contacts.rules.push_back(pair_rule(a, b));
     }
+    for (const PairRule& rule : state.contacts.rules) state.contacts.rolls |= rule.rolling_friction > 0.0;
 }
 
 const char* words_for(model::Network network) {
@@ -212,10 +270,20 @@ const char* words_for(model::Network network) {
     return "between touching elements";
 }
 
+std::size_t cluster_count(const State& state, const Body& body) {
+    const auto begin = state.elements.cluster.begin();
+    std::vector<Index> numbers(begin + static_cast<std::ptrdiff_t>(body.first),
+                               begin + static_cast<std::ptrdiff_t>(body.last));
+    std::sort(numbers.begin(), numbers.end());
+    return static_cast<std::size_t>(std::unique(numbers.begin(), numbers.end()) - numbers.begin());
+}
+
 std::string describe(const State& state, std::size_t body, std::optional<model::Network> network,
                      const AnyBondSet* bonds) {
     const Body& facts = state.bodies[body];
     std::string text = fmt::format("{}: {} elements", facts.name, facts.size());
+    if (facts.rigid && !facts.in_clusters) return text + ", rigid";
+    if (facts.in_clusters) text += fmt::format(" in {} clusters", cluster_count(state, facts));
     if (facts.rigid) return text + ", rigid";
     if (bonds == nullptr) return text + ", loose";
     return std::visit(
@@ -287,6 +355,7 @@ PairRule pair_rule(const MaterialFacts& a, const MaterialFacts& b) {
     rule.params.Kn = law::in_series(a.stiffness.normal, b.stiffness.normal);
     rule.params.Kt = law::in_series(a.stiffness.shear, b.stiffness.shear);
     rule.params.mu = std::min(a.friction, b.friction);
+    rule.rolling_friction = std::min(a.rolling_friction, b.rolling_friction);
     rule.damping_fraction = 0.5 * (a.damping_fraction + b.damping_fraction);
     return rule;
 }
@@ -296,6 +365,7 @@ Assembly assemble(const model::Scene& scene, const packing::PackStore* packs) {
     State& state = assembly.state;
     state.thickness = scene.thickness;
     state.gravity = scene.gravity;
+    if (scene.periodic_x) state.period = {scene.periodic_x->x, scene.periodic_x->y - scene.periodic_x->x};
     lay_out_materials(scene, state);
 
     std::vector<Problem> problems;
@@ -323,6 +393,7 @@ Assembly assemble(const model::Scene& scene, const packing::PackStore* packs) {
     for (std::size_t row = 0; row < scene.bodies.size(); ++row) {
         const model::Body& said = scene.bodies[row];
         set_moving(said, row, state);
+        if (said.rigid) make_rigid(said, row, state);
         std::optional<AnyBondSet> bonds;
         const std::optional<model::Network> network = model::network_of(said);
         if (network) {

@@ -152,6 +152,13 @@ BondSet<Law> pairs_of(const State& state, const BondedBody& said, double damping
     return bonds;
 }
 
+void keep_within_clusters(const State& state, const Body& body, std::vector<bonding::Pair>& pairs) {
+    const Column<Index>& cluster = state.elements.cluster;
+    std::erase_if(pairs, [&](const bonding::Pair& pair) {
+        return cluster[body.first + pair.first] != cluster[body.first + pair.second];
+    });
+}
+
 template <class Choice, class Law>
 AnyBondSet bonds_of(const State& state, const BondedBody& said, const Choice& choice, law::PlaneModuli moduli,
                     const model::DerivedLaw<Law>& law) {
@@ -162,9 +169,10 @@ AnyBondSet bonds_of(const State& state, const BondedBody& said, const Choice& ch
         throw std::logic_error("this bond law is for facets alone");
     } else {
         const Disks disks = disks_of(state, state.bodies[said.body]);
-        const std::vector<bonding::Pair> pairs = said.network == model::Network::delaunay
-                                                     ? neighbours(*said.cells)
-                                                     : bonding::pairs_within(disks.centre, disks.radius, choice.search);
+        std::vector<bonding::Pair> pairs = said.network == model::Network::delaunay
+                                               ? neighbours(*said.cells)
+                                               : bonding::pairs_within(disks.centre, disks.radius, choice.search);
+        if (state.bodies[said.body].in_clusters) keep_within_clusters(state, state.bodies[said.body], pairs);
         return pairs_of<Law>(state, said, choice.damping, in_runs(pairs, pairs, disks), law.params);
     }
 }

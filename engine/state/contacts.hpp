@@ -5,6 +5,7 @@
 #include "engine/base/signal.hpp"
 #include "engine/base/vec2.hpp"
 #include "engine/law/coulomb.hpp"
+#include "engine/law/rolling.hpp"
 #include "engine/state/bonds.hpp"
 #include "engine/state/history.hpp"
 
@@ -22,6 +23,18 @@ using ContactHistory = law::Coulomb::History<double>;
 struct PairRule {
     law::Coulomb::Params params;
     double damping_fraction = 0.0;
+    double rolling_friction = 0.0;
+};
+
+/// Moments against rolling; empty columns where no material has any.
+struct RollingContacts {
+    Column<double> stiffness, dashpot; ///< N m, N m s
+    Column<double> radius;             ///< reduced, m
+    HistoryColumns<law::Rolling::History<double>> history;
+
+    [[nodiscard]] bool present() const { return !stiffness.empty(); }
+    void push_back(double reduced_radius, double Kt, double damping_fraction, double reduced_inertia,
+                   const law::Rolling::History<double>& past);
 };
 
 /// Energy spent in contacts that are no longer listed, J.
@@ -40,6 +53,8 @@ struct Contacts {
     Column<double> fx, fy;    ///< on i; on j the opposite, N
     Column<double> moment_i, moment_j;
     HistoryColumns<ContactHistory> history;
+    RollingContacts rolling; ///< only if `rolls`
+    bool rolls = false;      ///< whether any rule has rolling friction
     Incidence incidence;
 
     std::vector<PairRule> rules; ///< of materials a and b at a * materials + b

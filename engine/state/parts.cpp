@@ -57,7 +57,8 @@ std::string name_elements(const State& state, const std::vector<std::size_t>& el
 std::vector<std::string> separate_parts(const State& state) {
     std::vector<std::vector<std::vector<std::size_t>>> of_body(state.bodies.size());
     for (std::vector<std::size_t>& part : elements_of_parts(state)) {
-        if (part.size() > 1) of_body[state.elements.body[part.front()]].push_back(std::move(part));
+        const bool apart = state.bodies[state.elements.body[part.front()]].in_clusters;
+        if (part.size() > 1 && !apart) of_body[state.elements.body[part.front()]].push_back(std::move(part));
     }
     std::vector<std::string> notes;
     for (std::size_t body = 0; body < of_body.size(); ++body) {

@@ -5,7 +5,9 @@
 #include "engine/state/contacts.hpp"
 #include "engine/state/cracks.hpp"
 #include "engine/state/elements.hpp"
+#include "engine/state/wear.hpp"
 
+#include "engine/base/period.hpp"
 #include "engine/base/signal.hpp"
 #include "engine/law/stiffness.hpp"
 
@@ -22,6 +24,7 @@ namespace demlua::state {
 struct MaterialFacts {
     law::ContactStiffness stiffness; ///< N/m
     double friction = 0.0;
+    double rolling_friction = 0.0;
     double damping_fraction = 0.0; ///< of critical, of contact dashpots
 };
 
@@ -31,6 +34,7 @@ struct Body {
     std::size_t first = 0;            ///< rows of its elements
     std::size_t last = 0;             ///< one past them
     bool rigid = false;               ///< its elements move with rigid bodies, but for those in State::single
+    bool in_clusters = false;         ///< what holds elements together does so in each cluster alone
 
     [[nodiscard]] std::size_t size() const { return last - first; }
 };
@@ -48,6 +52,9 @@ struct RigidBody {
     double spin = 0.0;
     Vec2 force; ///< N
     double moment = 0.0;
+
+    [[nodiscard]] Vec2 middle() const { return centre + displacement; }
+    [[nodiscard]] bool empty() const { return first == last; }
 };
 
 /// Forces on elements that do not come from other elements. Sums over the elements are `x` and `y`; an element's part
@@ -71,12 +78,20 @@ struct Drive {
     Column<double> begin;         ///< then the displacement of each element at that instant, m; else empty
 };
 
+/// Two elements that were in one rigid cluster, and the distance from which they touch now that they are not.
+struct FormerMates {
+    Index i = 0; ///< below j
+    Index j = 0;
+    double reference = 0.0; ///< m
+};
+
 /// Work booked at the two halves of each kick, J.
 struct Booked {
     double loads = 0.0;
     double drives = 0.0;
     double walls = 0.0;
     double mass_damping = 0.0;
+    double removed = 0.0; ///< energy of elements taken out
 };
 
 struct State {
@@ -99,7 +114,12 @@ struct State {
     std::vector<Load> loads; ///< forces first, then tractions, in the scene's order
     std::vector<Drive> drives;
 
+    Wear wear;                             ///< of clusters; columns empty where no material wears
+    std::vector<FormerMates> former_mates; ///< in rising order
+    Column<std::uint8_t> gone;             ///< 1 for elements taken out; empty where nothing can leave
+
     double thickness = 1.0; ///< m
+    Period period;
     Vec2 gravity;           ///< m/s^2
     double alpha = 0.0;     ///< mass-proportional damping, 1/s
     Booked booked;
@@ -109,6 +129,12 @@ struct State {
     [[nodiscard]] std::optional<std::size_t> rigid_of(std::size_t k) const {
         if (rigid_row.empty() || rigid_row[k] == no_rigid) return std::nullopt;
         return rigid_row[k];
+    }
+    [[nodiscard]] bool is_gone(std::size_t k) const { return !gone.empty() && gone[k] != 0; }
+    /// Mass that moves with element `k` when it is pushed, kg.
+    [[nodiscard]] double pushed_mass(std::size_t k) const {
+        const std::optional<std::size_t> rigid = rigid_of(k);
+        return rigid ? rigid_bodies[*rigid].mass : elements.mass(k);
     }
     /// The elements of a rigid body.
     [[nodiscard]] std::span<const Index> members(const RigidBody& rigid) const {

@@ -26,7 +26,7 @@ HardestContact hardest_contact(const state::State& state, std::size_t element, b
         hardest.Cn = std::max(hardest.Cn, 2.0 * fraction * std::sqrt(params.Kn * mass));
         hardest.Ct = std::max(hardest.Ct, 2.0 * fraction * std::sqrt(params.Kt * mass));
     };
-    const double m = state.elements.mass(element);
+    const double m = state.pushed_mass(element);
     for (std::size_t b = 0; b < state.bodies.size(); ++b) {
         if (b == own && !with_own_body) continue;
         const state::PairRule& rule =
@@ -50,6 +50,17 @@ Felt hardest_contacts(const state::State& state, std::size_t k, double count, bo
     const double turn = sides * count * elements.radius[k] * elements.radius[k] * elements.inverse_inertia[k];
     const Eigen::Vector3d normal{along, along, 0.0};
     const Eigen::Vector3d shear{along, along, turn};
+    return {contact.Kn * normal + contact.Kt * shear, contact.Cn * normal + contact.Ct * shear};
+}
+
+RigidlyFelt hardest_contacts_on(const state::State& state, const state::RigidBody& rigid, std::size_t k, double count) {
+    constexpr double sides = 2.0;
+    const HardestContact contact = hardest_contact(state, k, state.bodies[state.elements.body[k]].in_clusters);
+    const double arm = norm(state.elements.position(k) - rigid.middle());
+    const double lever = arm + state.elements.radius[k];
+    const double along = sides * along_one_direction(count) / rigid.mass;
+    const double normal = along + sides * count * arm * arm / rigid.inertia;
+    const double shear = along + sides * count * lever * lever / rigid.inertia;
     return {contact.Kn * normal + contact.Kt * shear, contact.Cn * normal + contact.Ct * shear};
 }
 

@@ -47,6 +47,7 @@ void share_free(const state::State& state, Team& team, const Work& work) {
             work(Share{body.first + part.begin, body.first + part.end, part.part});
         });
     }
+    for (const std::size_t k : state.single) work(Share{k, k + 1, 0});
 }
 
 } // namespace
@@ -68,6 +69,7 @@ void clear_forces(state::State& state, Team& team) {
             elements.moment[k] = 0.0;
         }
     });
+    for (const Index k : state.rigid_members) elements.fx[k] = elements.fy[k] = 0.0;
 }
 
 Drift move_elements(state::State& state, const TravelLimit& limit, const Kernels& kernels, Team& team) {
@@ -98,58 +100,6 @@ Drift move_elements(state::State& state, const TravelLimit& limit, const Kernels
     Drift whole;
     for (const Drift& part : found) whole.join(part);
     return whole;
-}
-
-void gather_rigid(state::State& state) {
-    const state::Elements& elements = state.elements;
-    for (state::RigidBody& rigid : state.rigid_bodies) {
-        const state::Body& body = state.bodies[rigid.body];
-        const Vec2 centre = rigid.centre + rigid.displacement;
-        rigid.force = {};
-        rigid.moment = 0.0;
-        for (std::size_t k = body.first; k < body.last; ++k) {
-            rigid.force += elements.force(k);
-            rigid.moment += elements.moment[k] + cross(elements.position(k) - centre, elements.force(k));
-        }
-    }
-}
-
-Drift move_rigid(state::State& state, double greatest_move) {
-    state::Elements& elements = state.elements;
-    const double dt = state.dt;
-    const Kick kicked(state.alpha, dt);
-    Drift found;
-    for (state::RigidBody& rigid : state.rigid_bodies) {
-        const Vec2 v = rigid.velocity;
-        const double spin = rigid.spin;
-        rigid.velocity = {kicked(v.x, rigid.force.x, 1.0 / rigid.mass), kicked(v.y, rigid.force.y, 1.0 / rigid.mass)};
-        rigid.spin = kicked(spin, rigid.moment, 1.0 / rigid.inertia);
-        const Vec2 mean = 0.5 * (v + rigid.velocity);
-        const double mean_spin = 0.5 * (spin + rigid.spin);
-        state.booked.mass_damping +=
-            state.alpha * dt * (rigid.mass * dot(mean, mean) + rigid.inertia * mean_spin * mean_spin);
-        rigid.displacement += dt * rigid.velocity;
-        rigid.rotation += dt * rigid.spin;
-
-        const state::Body& body = state.bodies[rigid.body];
-        for (std::size_t k = body.first; k < body.last; ++k) {
-            const Vec2 arm = Vec2{elements.reference_x[k], elements.reference_y[k]} - rigid.centre;
-            const Vec2 u = rigid.displacement + turned(arm, rigid.rotation) - arm;
-            elements.vx[k] = (u.x - elements.ux[k]) / dt;
-            elements.vy[k] = (u.y - elements.uy[k]) / dt;
-            elements.spin[k] = rigid.spin;
-            elements.ux[k] = u.x;
-            elements.uy[k] = u.y;
-            elements.rotation[k] = rigid.rotation;
-            const double mass = elements.mass(k);
-            elements.fx[k] = mass * state.gravity.x;
-            elements.fy[k] = mass * state.gravity.y;
-            elements.moment[k] = 0.0;
-            const double moved = dt * norm(elements.velocity(k));
-            found.join({moved, moved <= greatest_move * elements.radius[k] ? Drift::no_element : k});
-        }
-    }
-    return found;
 }
 
 } // namespace demlua::step

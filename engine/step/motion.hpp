@@ -47,17 +47,10 @@ struct TravelLimit {
     double smallest_radius = 0.0; ///< of all elements, m
 };
 
-/// Sets the forces on elements to gravity and zero.
+/// Sets the forces on elements to gravity and zero; gravity of rigid bodies acts on their middles.
 void clear_forces(state::State& state, Team& team);
 
 /// Kicks and moves every element that is not part of a rigid body, books what mass damping spends, and clears the forces.
 Drift move_elements(state::State& state, const TravelLimit& limit, const Kernels& kernels, Team& team);
-
-/// Sums the forces on the elements of each rigid body.
-void gather_rigid(state::State& state);
-
-/// Kicks rigid bodies, moves them, and lets their elements follow, the forces on them cleared: velocities are those of the
-/// chord, so that contacts see the displacement there is.
-Drift move_rigid(state::State& state, double greatest_move);
 
 } // namespace demlua::step

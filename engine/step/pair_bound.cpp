@@ -1,5 +1,7 @@
 #include "engine/step/pair_bound.hpp"
 
+#include "engine/base/cell_grid.hpp"
+
 #include "engine/law/stable_step.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -62,7 +64,30 @@ Facts facts_of(const state::State& state) {
             },
             any);
     }
+    count_rigid_neighbours(state, facts.neighbours);
     return facts;
+}
+
+void count_rigid_neighbours(const state::State& state, std::vector<std::size_t>& neighbours) {
+    if (state.rigid_members.empty()) return;
+    constexpr double near = 1.05; // of touching
+    const state::Elements& elements = state.elements;
+    std::vector<Vec2> points;
+    double largest = 0.0;
+    for (const Index k : state.rigid_members) {
+        points.push_back(elements.position(k));
+        largest = std::max(largest, elements.radius[k]);
+    }
+    CellGrid grid;
+    grid.build(points, 2.0 * near * largest);
+    grid.for_each_pair(2.0 * near * largest, [&](Index a, Index b) {
+        const Index i = state.rigid_members[a];
+        const Index j = state.rigid_members[b];
+        const double touch = elements.radius[i] + elements.radius[j];
+        if (state.rigid_row[i] != state.rigid_row[j] || norm(points[a] - points[b]) > near * touch) return;
+        ++neighbours[i];
+        ++neighbours[j];
+    });
 }
 
 bool can_loosen(const state::State& state, std::size_t body) {
@@ -77,7 +102,7 @@ bool can_loosen(const state::State& state, std::size_t body) {
             },
             any);
     }
-    return breaks || !bonded;
+    return breaks || !bonded || state.bodies[body].in_clusters;
 }
 
 Felt beside_bonds(const state::State& state, const Facts& facts, std::size_t k, bool loosens) {
@@ -99,6 +124,28 @@ Tightest bound_of(const state::State& state, const Facts& facts, std::size_t bod
         const double room = room_around(state.elements.radius[k], facts.smallest_radius);
         tightest.offer(step_of({}, hardest_contacts(state, k, room, true)), k,
                        "contacts all round once its bonds are gone");
+    }
+    return tightest;
+}
+
+Tightest bound_of_rigid(const state::State& state, const Facts& facts) {
+    Tightest tightest;
+    for (const state::RigidBody& rigid : state.rigid_bodies) {
+        if (rigid.empty()) continue;
+        double stiffness = 0.0;
+        double damping = 0.0;
+        for (const Index k : state.members(rigid)) {
+            const double room = room_around(state.elements.radius[k], facts.smallest_radius);
+            const double free = std::max(room - static_cast<double>(facts.neighbours[k]), 0.0);
+            const RigidlyFelt felt = hardest_contacts_on(state, rigid, k, free);
+            stiffness += felt.stiffness;
+            damping += felt.damping;
+        }
+        tightest.offer(law::stable_step(stiffness, damping), state.members(rigid).front(), "contacts of its rigid body");
+    }
+    for (const Index k : state.single) {
+        const double room = room_around(state.elements.radius[k], facts.smallest_radius);
+        tightest.offer(step_of({}, hardest_contacts(state, k, room, true)), k, "contacts all round");
     }
     return tightest;
 }

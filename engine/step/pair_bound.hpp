@@ -16,7 +16,7 @@ namespace demlua::step {
 struct Facts {
     double smallest_radius = 0.0;        ///< of the scene, m
     bool has_company = false;            ///< other bodies or walls
-    std::vector<std::size_t> neighbours; ///< bonds that hold each element of the scene
+    std::vector<std::size_t> neighbours; ///< of each element: bonds that hold it, or elements of its rigid body beside it
 };
 
 Facts facts_of(const state::State& state);
@@ -43,6 +43,9 @@ struct Tightest {
 /// `springs` of the body's bonds, scaled by M^-1/2. Safe for the bonds there are with contacts beside them and, when the body
 /// can loosen, for contacts all round.
 Tightest bound_of(const state::State& state, const Facts& facts, std::size_t body, const Springs& springs);
+
+/// Safe for rigid bodies, and single elements of bodies called rigid, with contacts wherever they have room.
+Tightest bound_of_rigid(const state::State& state, const Facts& facts);
 
 /// The same for bonds alone, s.
 double bound_of_bonds(const Springs& springs);

@@ -49,41 +49,79 @@ struct Candidate {
     [[nodiscard]] auto key() const { return std::tie(i, j); }
 };
 
+/// Where elements stand, and whose each place is. In a plane that repeats, elements near the left edge stand once more
+/// beyond the right one.
+struct Places {
+    std::vector<Vec2> at;
+    std::vector<Index> element;
+};
+
+Places places_of(const state::State& state, double reach) {
+    Places places;
+    for (std::size_t k = 0; k < state.elements.size(); ++k) {
+        if (state.is_gone(k)) continue;
+        Vec2 at = state.elements.position(k);
+        if (state.period.repeats()) at.x += state.period.shift_inside(at.x);
+        places.at.push_back(at);
+        places.element.push_back(static_cast<Index>(k));
+    }
+    if (!state.period.repeats()) return places;
+    const std::size_t count = places.at.size();
+    for (std::size_t p = 0; p < count; ++p) {
+        if (places.at[p].x - state.period.left > reach) continue;
+        places.at.push_back(places.at[p] + Vec2{state.period.length, 0.0});
+        places.element.push_back(places.element[p]);
+    }
+    return places;
+}
+
+/// Reference length of a pair that was in one rigid cluster, or that of its radii.
+double touch_of(const state::State& state, Index i, Index j) {
+    const double touch = state.elements.radius[i] + state.elements.radius[j];
+    const auto found = std::lower_bound(
+        state.former_mates.begin(), state.former_mates.end(), std::tie(i, j),
+        [](const state::FormerMates& mates, const auto& key) { return std::tie(mates.i, mates.j) < key; });
+    const bool mates = found != state.former_mates.end() && found->i == i && found->j == j;
+    return mates ? found->reference : touch;
+}
+
 std::vector<Candidate> candidates(const state::State& state, Search& search) {
     const state::Elements& elements = state.elements;
-    std::vector<Vec2> points(elements.size());
-    double largest = 0.0;
-    for (std::size_t k = 0; k < points.size(); ++k) {
-        points[k] = elements.position(k);
-        largest = std::max(largest, elements.radius[k]);
-    }
+    const double largest = *std::max_element(elements.radius.begin(), elements.radius.end());
     const double reach = 2.0 * largest + search.excess + search.skin;
+    const Places places = places_of(state, reach);
     std::vector<Candidate> found;
-    search.grid.build(points, reach);
+    search.grid.build(places.at, reach);
     search.grid.for_each_pair(reach, [&](Index a, Index b) {
-        const Index i = std::min(a, b);
-        const Index j = std::max(a, b);
-        double reference = elements.radius[i] + elements.radius[j];
+        const Index i = std::min(places.element[a], places.element[b]);
+        const Index j = std::max(places.element[a], places.element[b]);
+        double reference = touch_of(state, i, j);
         if (elements.body[i] == elements.body[j]) {
             if (const auto rigid = state.rigid_of(i); rigid && rigid == state.rigid_of(j)) return;
             const BondedPair bonded = look_up(state, search, i, j);
             if (bonded.intact) return;
             if (bonded.reference > 0.0) reference = bonded.reference;
         }
-        if (norm(points[j] - points[i]) < reference + search.skin) found.push_back({i, j, reference});
+        if (norm(places.at[a] - places.at[b]) < reference + search.skin) found.push_back({i, j, reference});
     });
     std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.key() < b.key(); });
     return found;
 }
 
-void append_row(state::State& state, const Candidate& pair, const state::ContactHistory& history) {
+/// What a pair remembers.
+struct Past {
+    state::ContactHistory contact;
+    law::Rolling::History<double> rolling;
+};
+
+void append_row(state::State& state, const Candidate& pair, const Past& past) {
     state::Contacts& contacts = state.contacts;
     const state::Elements& elements = state.elements;
     const std::size_t a = state.bodies[elements.body[pair.i]].material;
     const std::size_t b = state.bodies[elements.body[pair.j]].material;
     const std::size_t row = a * contacts.materials + b;
     const state::PairRule& rule = contacts.rules[row];
-    const double m = 1.0 / (elements.inverse_mass[pair.i] + elements.inverse_mass[pair.j]);
+    const double m = 1.0 / (1.0 / state.pushed_mass(pair.i) + 1.0 / state.pushed_mass(pair.j));
     contacts.i.push_back(pair.i);
     contacts.j.push_back(pair.j);
     contacts.rule.push_back(static_cast<Index>(row));
@@ -91,7 +129,11 @@ void append_row(state::State& state, const Candidate& pair, const state::Contact
     contacts.Cn.push_back(2.0 * rule.damping_fraction * std::sqrt(rule.params.Kn * m));
     contacts.Ct.push_back(2.0 * rule.damping_fraction * std::sqrt(rule.params.Kt * m));
     contacts.history.resize(contacts.size());
-    contacts.history.store(contacts.size() - 1, history);
+    contacts.history.store(contacts.size() - 1, past.contact);
+    if (!contacts.rolls) return;
+    const double r = 1.0 / (1.0 / elements.radius[pair.i] + 1.0 / elements.radius[pair.j]);
+    const double inertia = 1.0 / (elements.inverse_inertia[pair.i] + elements.inverse_inertia[pair.j]);
+    contacts.rolling.push_back(r, rule.params.Kt, rule.damping_fraction, inertia, past.rolling);
 }
 
 void resize_forces(state::Contacts& contacts) {
@@ -110,13 +152,29 @@ state::Contacts emptied(const state::Contacts& old) {
     state::Contacts contacts;
     contacts.rules = old.rules;
     contacts.materials = old.materials;
+    contacts.rolls = old.rolls;
     contacts.spent = old.spent;
     return contacts;
 }
 
-void book(state::SpentInContacts& spent, const state::ContactHistory& history) {
-    spent.friction += history.friction;
-    spent.damping += history.damped;
+Past past_of(const state::Contacts& contacts, std::size_t row) {
+    Past past{contacts.history.at(row), {}};
+    if (contacts.rolls) past.rolling = contacts.rolling.history.at(row);
+    return past;
+}
+
+/// What a pair that leaves the list had spent, and what it still stores if an element was taken out.
+void book(state::State& state, const state::Contacts& old, std::size_t row) {
+    const Past past = past_of(old, row);
+    const Index i = old.i[row];
+    const Index j = old.j[row];
+    state.contacts.spent.friction += past.contact.friction + past.rolling.friction;
+    state.contacts.spent.damping += past.contact.damped + past.rolling.damped;
+    if (state.wear.present()) state.wear.book(state.elements, i, j, past.contact.friction);
+    if (state.is_gone(i) || state.is_gone(j)) {
+        state.booked.removed +=
+            law::Coulomb::stored_energy(old.rules[old.rule[row]].params, old.overlap[row], past.contact);
+    }
 }
 
 /// Rows of the old list in rising order of (i, j): bonds that broke since the last search stand unsorted at its end.
@@ -136,19 +194,16 @@ void refresh_pairs(state::State& state, Search& search) {
     auto next = rows.begin();
     const auto book_until = [&](const Candidate& pair) {
         for (; next != rows.end() && std::tie(old.i[*next], old.j[*next]) < pair.key(); ++next) {
-            book(state.contacts.spent, old.history.at(*next));
+            book(state, old, *next);
         }
     };
     for (const Candidate& pair : found) {
         book_until(pair);
-        state::ContactHistory history;
-        if (next != rows.end() && std::tie(old.i[*next], old.j[*next]) == pair.key()) {
-            history = old.history.at(*next);
-            ++next;
-        }
-        append_row(state, pair, history);
+        Past past;
+        if (next != rows.end() && std::tie(old.i[*next], old.j[*next]) == pair.key()) past = past_of(old, *next++);
+        append_row(state, pair, past);
     }
-    for (; next != rows.end(); ++next) book(state.contacts.spent, old.history.at(*next));
+    for (; next != rows.end(); ++next) book(state, old, *next);
     finish(state);
 }
 
@@ -177,7 +232,7 @@ void append_contacts(state::State& state, Search& search, const std::vector<NewC
     for (const NewContact& contact : contacts) {
         const double touch = state.elements.radius[contact.i] + state.elements.radius[contact.j];
         search.excess = std::max(search.excess, contact.reference - touch);
-        append_row(state, {contact.i, contact.j, contact.reference}, contact.history);
+        append_row(state, {contact.i, contact.j, contact.reference}, {contact.history, {}});
     }
     finish(state);
 }

@@ -6,6 +6,7 @@
 #include "engine/step/loads.hpp"
 #include "engine/step/motion.hpp"
 #include "engine/step/pair_sums.hpp"
+#include "engine/step/rigid_motion.hpp"
 #include "engine/step/stretch_rates.hpp"
 #include "engine/step/waking.hpp"
 #include "engine/step/wall_parts.hpp"
@@ -87,7 +88,9 @@ void compute_bonds(state::State& state, Stepper& stepper, state::FacetSet<Law>& 
 
 void compute_contacts(state::State& state, Stepper& stepper) {
     stepper.team.share(state.contacts.size(),
-                       [&](Share part) { contact_forces(state.contacts, state.elements, state.dt, part); });
+                       [&](Share part) {
+                           contact_forces(state.contacts, state.elements, state.period, state.dt, part);
+                       });
     add_pair_forces(state.contacts, state.elements, stepper.team);
 }
 
@@ -135,7 +138,7 @@ void add_forces(state::State& state, Stepper& stepper) {
     if (state.contacts.size() > 0) clock.time(step, Stage::contacts, [&] { compute_contacts(state, stepper); });
     if (!state.walls.empty()) clock.time(step, Stage::walls, [&] { wall_forces(state); });
     if (!state.loads.empty()) clock.time(step, Stage::loads, [&] { add_loads(state); });
-    if (!state.rigid_bodies.empty()) clock.time(step, Stage::rigid, [&] { gather_rigid(state); });
+    if (!state.rigid_bodies.empty()) clock.time(step, Stage::rigid, [&] { gather_rigid(state, stepper.team); });
 }
 
 void advance(state::State& state, Stepper& stepper) {
@@ -145,7 +148,7 @@ void advance(state::State& state, Stepper& stepper) {
     Drift moved;
     clock.time(step, Stage::motion,
                [&] { moved = move_elements(state, stepper.limit, *stepper.kernels, stepper.team); });
-    if (!state.rigid_bodies.empty()) moved.join(move_rigid(state, stepper.limit.share));
+    if (!state.rigid_bodies.empty()) moved.join(move_rigid(state, stepper.limit.share, stepper.team));
     if (!state.walls.empty()) move_walls(state);
     check_drift(state, moved, stepper.limit.share);
     if (driven) book_work(state);
@@ -180,6 +183,7 @@ void change_step(state::State& state, double dt) {
         elements.spin[k] = shifted(elements.spin[k], elements.moment[k], elements.inverse_inertia[k]);
     }
     for (state::RigidBody& rigid : state.rigid_bodies) {
+        if (rigid.empty()) continue;
         rigid.velocity = {shifted(rigid.velocity.x, rigid.force.x, 1.0 / rigid.mass),
                           shifted(rigid.velocity.y, rigid.force.y, 1.0 / rigid.mass)};
         rigid.spin = shifted(rigid.spin, rigid.moment, 1.0 / rigid.inertia);

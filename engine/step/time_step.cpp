@@ -86,6 +86,8 @@ Found bound_found(const state::State& state) {
         const Tightest here = bound_of(state, facts, body, springs);
         tightest.offer(here.step, here.at, here.why);
     });
+    const Tightest rigid = bound_of_rigid(state, facts);
+    tightest.offer(rigid.step, rigid.at, rigid.why);
     if (!std::isfinite(tightest.step)) return {};
     return {tightest.step, fmt::format("pair-energy bound, tightest at element {} of {} with {}", tightest.at,
                                        state.bodies[state.elements.body[tightest.at]].name, tightest.why)};
@@ -107,6 +109,10 @@ Found sharp_found(const state::State& state) {
         tightest.offer(std::max(bound.step, sharp), body,
                        sharp > bound.step ? fmt::format("highest frequency of {} by Lanczos iteration", name) : at);
     });
+    const Tightest rigid = bound_of_rigid(state, facts);
+    tightest.offer(rigid.step, 0,
+                   fmt::format("pair-energy bound, tightest at element {} of {} with {}", rigid.at,
+                               state.bodies[state.elements.body[rigid.at]].name, rigid.why));
     if (!std::isfinite(tightest.step)) return {};
     return {tightest.step, tightest.why};
 }

@@ -1,0 +1,120 @@
+#include "engine/step/wear.hpp"
+
+#include "engine/step/rigid_motion.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+#include <variant>
+#include <vector>
+
+namespace demlua::step {
+
+namespace {
+
+/// Sliding work of the contacts of element k that are listed now, with elements of other clusters.
+double listed_work(const state::State& state, std::size_t k) {
+    const state::Contacts& contacts = state.contacts;
+    const Column<Index>& cluster = state.elements.cluster;
+    double work = 0.0;
+    for (Index entry = contacts.incidence.start[k]; entry < contacts.incidence.start[k + 1]; ++entry) {
+        const std::size_t c = contacts.incidence.end[entry] / 2;
+        if (cluster[contacts.i[c]] != cluster[contacts.j[c]]) work += contacts.history.at(c).friction;
+    }
+    return work;
+}
+
+void sum_work(state::State& state, Team& team) {
+    state::Wear& wear = state.wear;
+    team.share(wear.work.size(), [&](Share part) {
+        for (std::size_t k = part.begin; k < part.end; ++k) wear.work[k] = wear.past[k] + listed_work(state, k);
+    });
+    const state::WallContacts& walls = state.wall_contacts;
+    for (std::size_t c = 0; c < walls.size(); ++c) wear.work[walls.element[c]] += walls.history.at(c).friction;
+}
+
+/// Friction between mates was none of the cluster's wear, and is not to become so.
+void forget_inner_work(state::State& state, std::size_t k) {
+    const state::Contacts& contacts = state.contacts;
+    const Column<Index>& cluster = state.elements.cluster;
+    for (Index entry = contacts.incidence.start[k]; entry < contacts.incidence.start[k + 1]; ++entry) {
+        const std::size_t c = contacts.incidence.end[entry] / 2;
+        if (cluster[contacts.i[c]] != cluster[contacts.j[c]]) continue;
+        state.wear.past[contacts.i[c]] -= contacts.history.at(c).friction;
+        state.wear.past[contacts.j[c]] -= contacts.history.at(c).friction;
+    }
+}
+
+template <class Bonds>
+bool mark_bonds(Bonds& bonds, std::size_t k) {
+    bool some = false;
+    if constexpr (Bonds::law::breaks) {
+        const state::Incidence& incidence = bonds.incidence;
+        const std::size_t e = k - incidence.first;
+        for (Index entry = incidence.start[e]; entry < incidence.start[e + 1]; ++entry) {
+            const std::size_t bond = incidence.end[entry] / 2;
+            if (bonds.is_broken(bond)) continue;
+            bonds.broken[bond] = state::failing;
+            some = true;
+        }
+    }
+    return some;
+}
+
+/// Contacts of an element with those it was rigidly joined to, at the distance there is: they overlapped for nothing.
+std::vector<NewContact> part_from_mates(state::State& state, const std::vector<Index>& mates, std::size_t k) {
+    const state::Elements& elements = state.elements;
+    std::vector<NewContact> contacts;
+    for (const Index mate : mates) {
+        if (mate == k) continue;
+        const Index i = std::min(mate, static_cast<Index>(k));
+        const Index j = std::max(mate, static_cast<Index>(k));
+        const double touch = elements.radius[i] + elements.radius[j];
+        const double distance = norm(elements.position(j) - elements.position(i));
+        const double reference = std::min(touch, distance);
+        if (distance < touch) state.former_mates.push_back({i, j, reference});
+        contacts.push_back({i, j, reference, {}});
+    }
+    std::sort(state.former_mates.begin(), state.former_mates.end(),
+              [](const auto& a, const auto& b) { return std::tie(a.i, a.j) < std::tie(b.i, b.j); });
+    return contacts;
+}
+
+void leave_rigid(state::State& state, Search& search, std::size_t k) {
+    const std::optional<std::size_t> row = state.rigid_of(k);
+    if (!row) return;
+    const auto members = state.members(state.rigid_bodies[*row]);
+    const std::vector<Index> mates(members.begin(), members.end());
+    let_go_of_rigid(state, k);
+    append_contacts(state, search, part_from_mates(state, mates, k));
+}
+
+bool leave_cluster(state::State& state, Search& search, std::size_t k) {
+    forget_inner_work(state, k);
+    leave_rigid(state, search, k);
+    bool marked = false;
+    for (state::AnyBondSet& any : state.bond_sets) {
+        std::visit(
+            [&](auto& bonds) {
+                if (bonds.body == state.elements.body[k]) marked = mark_bonds(bonds, k);
+            },
+            any);
+    }
+    state.elements.cluster[k] = state.wear.next_cluster++;
+    state.wear.limit[k] = std::numeric_limits<double>::infinity();
+    ++state.wear.left;
+    return marked;
+}
+
+} // namespace
+
+bool wear_out(state::State& state, Search& search, Team& team) {
+    sum_work(state, team);
+    bool marked = false;
+    for (std::size_t k = 0; k < state.elements.size(); ++k) {
+        if (state.wear.work[k] > state.wear.limit[k]) marked = leave_cluster(state, search, k) || marked;
+    }
+    return marked;
+}
+
+} // namespace demlua::step
