@@ -58,7 +58,7 @@ struct Disk {
 };
 struct ListedDisks {
     std::vector<Disk> disks;
-    std::vector<std::uint32_t> clusters; ///< each disk's, numbered from zero; empty: each is its own
+    std::vector<std::uint32_t> clusters = {}; ///< each disk's, numbered from zero; empty: each is its own
 };
 
 using PackingChoice = std::variant<std::monostate, ClosePacking, Consolidation, Relaxation, ListedDisks>;
