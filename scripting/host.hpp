@@ -33,6 +33,7 @@ struct HistoryRequest {
 /// One call of sim:run, or of sim:solve_static.
 struct RunRequest {
     double duration = 0.0;                       ///< s
+    bool until_rest = false;                     ///< whether the run ends when all is at rest
     std::optional<model::StaticSolve> rest;      ///< then no time passes but that of one step
     std::optional<model::QuasiStaticRun> slowly; ///< then from rest to rest
     std::vector<SharedInterval> frames;          ///< one entry per sim:output in force

@@ -34,6 +34,10 @@ const std::vector<Reading<Simulation>>& now_readings() {
          [](const Simulation& s) { return s.surface_energy(); }},
         {"fragments", "", "parts held together by bonds", [](const Simulation& s) { return number(s.fragments()); }},
         {"contacts", "", "that touch", [](const Simulation& s) { return number(s.contact_count()); }},
+        {"worn", "", "elements that wear has taken out of their clusters",
+         [](const Simulation& s) { return number(s.worn_elements()); }},
+        {"removed", "", "elements that left the domain",
+         [](const Simulation& s) { return number(s.removed_elements()); }},
     };
     return rows;
 }
@@ -50,6 +54,7 @@ const std::vector<Reading<Ledger>>& ledger_readings() {
         {"bond_damping", "J", "spent by the bonds' dashpots", energy<&Ledger::bond_damping>},
         {"contact_damping", "J", "spent by the contacts' dashpots", energy<&Ledger::contact_damping>},
         {"mass_damping", "J", "spent by mass-proportional damping", energy<&Ledger::mass_damping>},
+        {"removed", "J", "of elements that left the domain", energy<&Ledger::removed>},
         {"work", "J", "done by loads, prescribed motions and walls", energy<&Ledger::work>},
         {"error", "J", "what all these leave unexplained", energy<&Ledger::error>},
     };

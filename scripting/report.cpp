@@ -78,7 +78,8 @@ std::string energy_line(const observe::Ledger& ledger) {
                                                             {"friction", ledger.friction},
                                                             {"bond damping", ledger.bond_damping},
                                                             {"contact damping", ledger.contact_damping},
-                                                            {"mass damping", ledger.mass_damping}};
+                                                            {"mass damping", ledger.mass_damping},
+                                                            {"removed", ledger.removed}};
     double whole = 0.0;
     for (const auto& part : parts) whole += std::abs(part.second);
     // With nothing left anywhere, what the loads put in and took out again is the measure.

@@ -99,9 +99,10 @@ observe::RunReport RunHost::run(const model::Scene& scene, const RunRequest& req
         const EffortMeter meter(effort_, *simulation_);
         Progress progress(terminal_, *simulation_, request.duration);
         const std::vector<observe::Watcher> looking = watchers(request, progress);
-        last_report_ = request.rest     ? simulation_->solve_static(*request.rest, looking)
-                       : request.slowly ? simulation_->run_quasi_static(*request.slowly, looking, &interrupted_)
-                                        : simulation_->run(request.duration, looking, &interrupted_);
+        last_report_ = request.rest ? simulation_->solve_static(*request.rest, looking)
+                       : request.slowly
+                           ? simulation_->run_quasi_static(*request.slowly, looking, &interrupted_)
+                           : simulation_->run(request.duration, looking, &interrupted_, request.until_rest);
     }
     // The end of a run is always shown, also one that came early.
     take_row(request.histories);

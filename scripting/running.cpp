@@ -83,10 +83,11 @@ observe::Watcher break_watcher(Context& context) {
 struct Way {
     std::optional<model::StaticSolve> rest;
     std::optional<model::QuasiStaticRun> slowly;
+    bool until_rest = false;
 };
 
 RunRequest request_of(Context& context, double duration, const Way& way, const Place& place) {
-    RunRequest request{duration, way.rest, way.slowly, context.outputs, {}, {}, place};
+    RunRequest request{duration, way.until_rest, way.rest, way.slowly, context.outputs, {}, {}, place};
     for (const History& history : context.histories) request.histories.push_back(request_of(context, history));
     if (!context.on_bond_break.empty()) request.callbacks.push_back(break_watcher(context));
     for (const Periodic& periodic : context.periodics) {
@@ -142,16 +143,16 @@ observe::RunReport go_on(Context& context, double duration, const Way& way, cons
 
 } // namespace
 
-observe::RunReport run_now(Context& context, double duration, const Place& place) {
-    return go_on(context, duration, {}, place);
+observe::RunReport run_now(Context& context, double duration, bool until_rest, const Place& place) {
+    return go_on(context, duration, {std::nullopt, std::nullopt, until_rest}, place);
 }
 
 observe::RunReport solve_now(Context& context, const model::StaticSolve& said) {
-    return go_on(context, 0.0, {said, std::nullopt}, said.place);
+    return go_on(context, 0.0, {said, std::nullopt, false}, said.place);
 }
 
 observe::RunReport run_slowly_now(Context& context, const model::QuasiStaticRun& said) {
-    return go_on(context, said.duration, {std::nullopt, said}, said.place);
+    return go_on(context, said.duration, {std::nullopt, said, false}, said.place);
 }
 
 } // namespace demlua::scripting

@@ -5,9 +5,9 @@
 
 namespace demlua::scripting {
 
-/// Runs the scene as it stands for `duration` (s), or, when nothing is simulated, notes that it would. Throws SceneError
+/// Runs the scene as it stands for `duration` (s), less if it is to end at rest, or, when nothing is simulated, notes that it would. Throws SceneError
 /// and RunError.
-observe::RunReport run_now(Context& context, double duration, const Place& place);
+observe::RunReport run_now(Context& context, double duration, bool until_rest, const Place& place);
 
 /// The same from rest to rest.
 observe::RunReport run_slowly_now(Context& context, const model::QuasiStaticRun& said);

@@ -206,7 +206,7 @@ int run(lua_State* L) {
     slowly.place = call.place;
     const observe::RunReport report = said.driver == Driver::quasi_static
                                           ? run_slowly_now(call.context, slowly)
-                                          : run_now(call.context, said.duration, call.place);
+                                          : run_now(call.context, said.duration, said.until_rest, call.place);
     lua_createtable(L, 0, 3);
     lua_pushstring(L, report.ending == observe::Ending::stopped ? "stopped" : "finished");
     lua_setfield(L, -2, "ending");

@@ -20,8 +20,13 @@ model::Scene shot_beam(bool rigid, bool break_in_shear, model::Network network) 
     model::Material material = test::concrete();
     material.poissons_ratio = 0.2;
     material.contact_damping = 0.2;
-    model::Material steel{"steel",      200e9, 0.3, 7850.0,       std::nullopt, std::nullopt,
-                          std::nullopt, 1.0,   0.5, std::nullopt, 0.2,          {}};
+    model::Material steel;
+    steel.name = "steel";
+    steel.youngs_modulus = 200e9;
+    steel.poissons_ratio = 0.3;
+    steel.density = 7850.0;
+    steel.friction = 0.5;
+    steel.contact_damping = 0.2;
     model::Scene scene = test::scene_of(material);
     scene.materials.push_back(steel);
 

@@ -206,6 +206,23 @@ void check_traction(const Traction& traction, Findings& findings) {
     check_signal(traction.stress_y, "traction.stress_y", traction.place, findings);
 }
 
+/// Bonds that never break would hold what wear takes out of its cluster.
+void check_wear(const Scene& scene, const Body& body, Findings& findings) {
+    const Material& material = scene.materials[body.material];
+    if (!material.wear_energy_density || !body.in_clusters || body.rigid) return;
+    if (!std::holds_alternative<ElasticBonds>(body.bonds)) return;
+    findings.add(body.place, "body.bonds", "\"elastic\"",
+                 "must be able to break, for the material has a wear_energy_density",
+                 "take another law, or rigid clusters");
+}
+
+void check_periodic(const Scene& scene, Findings& findings) {
+    if (!scene.periodic_x || scene.periodic_x->y > scene.periodic_x->x) return;
+    findings.add(scene.place, "simulation.periodic_x",
+                 text_of(scene.periodic_x->x) + ", " + text_of(scene.periodic_x->y),
+                 "must be the left edge and then the right one");
+}
+
 void check_wall(const Wall& wall, Findings& findings) {
     if (wall.path.size() < 2) {
         findings.add(wall.place, "wall.path", "", "must have at least two points");
@@ -312,7 +329,9 @@ std::vector<Problem> check(const Scene& scene, const std::vector<std::string>& m
     for (const Body& body : scene.bodies) {
         check_packing(body, findings);
         check_network(body, findings);
+        if (body.material < scene.materials.size()) check_wear(scene, body, findings);
     }
+    check_periodic(scene, findings);
     for (const Support& support : scene.supports) check_selection(support.selection, "fix", support.place, findings);
     for (const Motion& motion : scene.motions) check_motion(motion, findings);
     for (const Force& force : scene.forces) check_force(force, findings);

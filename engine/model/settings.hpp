@@ -61,6 +61,7 @@ struct BondBreakSaid {
 };
 struct RunSaid {
     double duration = 0.0;
+    bool until_rest = false;
     Driver driver = Driver::dynamic;
     std::uint64_t runs_after = QuasiStaticRun{}.runs_after;
 };

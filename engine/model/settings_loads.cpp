@@ -212,7 +212,11 @@ const WordOf<RunSaid>& run() {
         "Runs the simulation on from where it stands. The lines after it see what came of it and may "
         "change the model before the next run.",
         "a report with the fields ending, reason and steps", "sim:run { duration = 6e-3 }",
-        {row<&RunSaid::duration>("duration", "s", required, positive, "how long"),
+        {row<&RunSaid::duration>("duration", "s", required, positive, "how long; with until_rest, at most"),
+         row<&RunSaid::until_rest>("until_rest", optional,
+                                   "end as soon as all is at rest: kinetic energy below a thousandth of what bonds and "
+                                   "contacts store, and forces left on elements below a thousandth of those in "
+                                   "contacts; the report's reason is then \"at rest\""),
          choice<&RunSaid::driver, driver_names>(
              "driver",
              R"("dynamic": steps of motion; "quasi-static": from rest to rest, as if the loads grew slowly, for bonded bodies without walls, rigid bodies or contacts; the run ends early, with the reason, where there is no rest beyond: the time is then that of the last rest)"),

@@ -5,6 +5,7 @@
 #include "engine/observe/ledger.hpp"
 #include "engine/observe/stress.hpp"
 #include "engine/state/parts.hpp"
+#include "engine/step/wear.hpp"
 
 #include <algorithm>
 
@@ -13,6 +14,14 @@ namespace demlua::observe {
 namespace {
 
 bool always(const state::State& /*state*/) { return true; }
+
+bool wears(const state::State& state) { return state.wear.present(); }
+
+FieldValues wear_works(const state::State& state) {
+    Team alone(1);
+    const Column<double> work = step::sliding_work(state, alone);
+    return std::vector<double>(work.begin(), work.end());
+}
 
 bool has_clusters(const state::State& state) {
     const Column<Index>& cluster = state.elements.cluster;
@@ -161,6 +170,7 @@ const std::vector<ElementField>& element_fields() {
         {"stress", "Pa", 3, mean, "mean over the element's cell, tension positive", always, stresses},
         {"kinetic_energy", "J", 1, sum, "of translation and rotation", always, kinetic_energies},
         {"coordination", "", 1, mean, "bonds that hold and contacts that press", always, coordinations},
+        {"wear", "J", 1, sum, "sliding work against other clusters and walls", wears, wear_works},
         {"damage", "", 1, mean, "mean damage of its bonds, 1 when all are broken", can_break, damages},
     };
     return rows;

@@ -66,6 +66,15 @@ void add_bonds(const state::State& state, const Bonds& bonds, Ledger& ledger) {
     ledger.fracture += bonds.fracture_work;
 }
 
+void add_rolling(const state::RollingContacts& rolling, Ledger& ledger) {
+    for (std::size_t c = 0; c < rolling.stiffness.size(); ++c) {
+        const law::Rolling::History<double> history = rolling.history.at(c);
+        ledger.contacts += law::Rolling::stored_energy(rolling.stiffness[c], history);
+        ledger.friction += history.friction;
+        ledger.contact_damping += history.damped;
+    }
+}
+
 template <class Contacts, class ParamsOf>
 void add_contacts(const Contacts& contacts, const ParamsOf& params_of, Ledger& ledger) {
     for (std::size_t c = 0; c < contacts.size(); ++c) {
@@ -128,15 +137,18 @@ Ledger ledger_of(const state::State& state) {
             return law::Coulomb::Params{k.normal, k.shear, 0.0};
         },
         ledger);
+    add_rolling(state.contacts.rolling, ledger);
     ledger.potential = gravity_energy(state);
     ledger.mass_damping = state.booked.mass_damping + motion.damped;
+    ledger.removed = state.booked.removed;
     ledger.work = state.booked.loads + state.booked.drives + state.booked.walls;
     return ledger;
 }
 
 double balance(const Ledger& ledger) {
     return ledger.kinetic + ledger.bonds + ledger.contacts + ledger.potential + ledger.plastic + ledger.fracture +
-           ledger.friction + ledger.bond_damping + ledger.contact_damping + ledger.mass_damping - ledger.work;
+           ledger.friction + ledger.bond_damping + ledger.contact_damping + ledger.mass_damping + ledger.removed -
+           ledger.work;
 }
 
 Momentum momentum_of(const state::State& state) {

@@ -92,6 +92,7 @@ HistoryRow Simulation::history_row() const {
     column(dashpots, "bond_damping_work", energy.bond_damping);
     column(true, "contact_damping_work", energy.contact_damping);
     column(state_->alpha > 0.0, "mass_damping_work", energy.mass_damping);
+    column(!state_->gone.empty(), "removed_energy", energy.removed);
     column(worked, "work_of_loads", energy.work);
     column(true, "energy_error", energy.error);
     const Momentum total = momentum();
@@ -99,6 +100,8 @@ HistoryRow Simulation::history_row() const {
     column(true, "momentum_y", total.linear.y);
     column(true, "angular_momentum", total.angular);
     column(true, "contacts", static_cast<double>(contact_count()));
+    column(state_->wear.present(), "worn", static_cast<double>(worn_elements()));
+    column(!state_->gone.empty(), "removed", static_cast<double>(removed_elements()));
     column(breaks, "broken_bonds", static_cast<double>(broken_bonds()));
     column(breaks, "crack_length", breaks ? crack_length() : 0.0);
     column(breaks, "surface_energy", breaks ? surface_energy() : 0.0);

@@ -2,9 +2,11 @@
 
 #include "engine/observe/bond_probes.hpp"
 #include "engine/observe/cracks.hpp"
+#include "engine/observe/drawn.hpp"
 #include "engine/observe/fields.hpp"
 #include "engine/observe/hash.hpp"
 #include "engine/observe/ledger.hpp"
+#include "engine/observe/rest.hpp"
 #include "engine/state/assemble.hpp"
 #include "engine/state/bond_assembly.hpp"
 #include "engine/state/loading.hpp"
@@ -72,7 +74,7 @@ double stored(const Ledger& ledger) { return ledger.bonds + ledger.contacts + le
 /// Energy that is gone for good, J.
 double spent(const Ledger& ledger) {
     return ledger.plastic + ledger.fracture + ledger.friction + ledger.bond_damping + ledger.contact_damping +
-           ledger.mass_damping;
+           ledger.mass_damping + ledger.removed;
 }
 
 /// As many threads as there is work for.
@@ -126,7 +128,9 @@ struct Simulation::Inside {
 
     Inside(const model::Scene& said, int threads, const state::State& state, std::vector<std::string> facts)
         : scene(said), team(thread_count(threads, state.elements.size())), stepper(team, state, said.greatest_move),
-          notes(std::move(facts)) {}
+          notes(std::move(facts)) {
+        stepper.domain = said.domain;
+    }
 };
 
 Simulation::Simulation(const model::Scene& scene, int threads, const packing::PackStore* packs) {
@@ -134,12 +138,25 @@ Simulation::Simulation(const model::Scene& scene, int threads, const packing::Pa
     state_ = std::make_unique<state::State>(std::move(assembly.state));
     for (std::string& warning : warnings(scene, *state_)) assembly.notes.push_back(std::move(warning));
     inside_ = std::make_unique<Inside>(scene, threads, *state_, std::move(assembly.notes));
+    check_period();
     take_in(scene);
     step::refresh_contacts(*state_, inside_->stepper.search);
     prepare({});
 }
 
 Simulation::~Simulation() = default;
+
+/// An element must not meet another on both sides at once.
+void Simulation::check_period() const {
+    if (!state_->period.repeats()) return;
+    const double largest = *std::max_element(state_->elements.radius.begin(), state_->elements.radius.end());
+    const double least = 2.0 * (2.0 * largest + inside_->stepper.search.skin);
+    if (state_->period.length >= least) return;
+    const model::Scene& scene = inside_->scene;
+    throw SceneError(Problem{scene.place, "simulation.periodic_x", fmt::format("{} m", state_->period.length),
+                             fmt::format("must be at least {:.6g} m apart, twice the reach of the search", least),
+                             "make the box wider or the elements smaller"});
+}
 
 // --- changing ---------------------------------------------------------------------------------------------------------
 
@@ -315,7 +332,8 @@ void Simulation::start_once() {
     inside_->started = true;
 }
 
-RunReport Simulation::run(double duration, const std::vector<Watcher>& watchers, const std::atomic<bool>* interrupted) {
+RunReport Simulation::run(double duration, const std::vector<Watcher>& watchers, const std::atomic<bool>* interrupted,
+                          bool until_rest) {
     const auto begin = std::chrono::steady_clock::now();
     std::vector<double> intervals{duration};
     for (const Watcher& watcher : watchers) {
@@ -324,9 +342,10 @@ RunReport Simulation::run(double duration, const std::vector<Watcher>& watchers,
     std::sort(intervals.begin(), intervals.end());
     prepare(intervals);
     start_once();
-    const auto step = [this](double /*until*/) {
+    const auto step = [this, until_rest](double /*until*/) {
         step::advance(*state_, inside_->stepper);
         if (state_->step % energy_checked_every == 0) check_energy();
+        if (until_rest && state_->step % rest_checked_every == 0 && at_rest(*state_, rest_share)) stop("at rest");
         return true;
     };
     RunReport report = run_until(state_->time + duration, watchers, interrupted, step);
@@ -390,7 +409,7 @@ RunReport Simulation::run_until(double end, const std::vector<Watcher>& watchers
     RunReport report;
     while (true) {
         const bool asked_to_end = interrupted != nullptr && interrupted->load(std::memory_order_relaxed);
-        const bool last = asked_to_end || state_->time >= end - tolerance;
+        const bool last = asked_to_end || inside_->stopping || state_->time >= end - tolerance;
         for (std::size_t w = 0; w < watchers.size(); ++w) {
             const double due = begin + static_cast<double>(looked[w]) * watchers[w].every;
             if (!last && state_->time < due - tolerance) continue;
@@ -464,6 +483,10 @@ std::size_t Simulation::contact_count() const {
 std::size_t Simulation::broken_bonds() const { return broken_bond_count(*state_); }
 double Simulation::crack_length() const { return crack_length_of(*state_); }
 double Simulation::surface_energy() const { return surface_energy_of(*state_); }
+std::size_t Simulation::worn_elements() const { return state_->wear.left; }
+std::size_t Simulation::removed_elements() const {
+    return static_cast<std::size_t>(std::count(state_->gone.begin(), state_->gone.end(), std::uint8_t{1}));
+}
 std::size_t Simulation::fragments() const { return fragment_count(state::part_of_elements(*state_)); }
 
 Ledger Simulation::ledger() const {
@@ -488,6 +511,8 @@ Snapshot Simulation::snapshot() const {
     }
     add_bonds_to(snapshot, *state_);
     add_cracks_to(snapshot, *state_);
+    if (state_->period.repeats()) bring_inside(snapshot, *state_);
+    if (!state_->gone.empty()) leave_out_gone(snapshot, *state_);
     return snapshot;
 }
 

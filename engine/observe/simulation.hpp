@@ -64,9 +64,9 @@ public:
 
     /// Advances by `duration` (s). Watchers that are due at one instant act in the order given. Throws RunError when
     /// the run cannot go on; the state is then that of the last good instant at which watchers looked.
-    /// `interrupted`, when given, is polled between steps.
-    RunReport run(double duration, const std::vector<Watcher>& watchers,
-                  const std::atomic<bool>* interrupted = nullptr);
+    /// `interrupted`, when given, is polled between steps. With `until_rest` the run stops as soon as all is at rest (rest.hpp).
+    RunReport run(double duration, const std::vector<Watcher>& watchers, const std::atomic<bool>* interrupted = nullptr,
+                  bool until_rest = false);
     /// The same from rest to rest (step/quasi_static.hpp); loads are taken to grow slowly, as by solve_static. Ends as
     /// stopped, with the reason, where there is no rest beyond; the state is then the last one at rest.
     RunReport run_quasi_static(const model::QuasiStaticRun& said, const std::vector<Watcher>& watchers,
@@ -104,7 +104,9 @@ public:
     [[nodiscard]] double
     crack_length() const; ///< m, sum over broken bonds of their facets, or else of the mean diameter of their elements
     [[nodiscard]] double surface_energy() const; ///< J, what broken bonds took: plastic work and what they still held
-    [[nodiscard]] std::size_t fragments() const; ///< parts held together by bonds that are not broken
+    [[nodiscard]] std::size_t worn_elements() const;    ///< that have left their cluster
+    [[nodiscard]] std::size_t removed_elements() const; ///< that have left the domain
+    [[nodiscard]] std::size_t fragments() const;        ///< parts held together by bonds that are not broken
     [[nodiscard]] Ledger ledger() const;
     [[nodiscard]] Momentum momentum() const;
     [[nodiscard]] BodyMotion body_motion(std::size_t body) const;
@@ -130,7 +132,10 @@ public:
 
 private:
     static constexpr std::uint64_t energy_checked_every = 1000; ///< steps
+    static constexpr std::uint64_t rest_checked_every = 100;    ///< steps
+    static constexpr double rest_share = 1e-3;
 
+    void check_period() const;
     void take_in(const model::Notch& notch);
     void take_in(const model::Damping& said);
     void release(std::size_t body, double before);

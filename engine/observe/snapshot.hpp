@@ -47,6 +47,7 @@ struct Ledger {
     double bond_damping = 0.0;    ///< spent by the bonds' dashpots
     double contact_damping = 0.0; ///< spent by the contacts' dashpots
     double mass_damping = 0.0;    ///< spent by mass-proportional damping
+    double removed = 0.0;         ///< energy of elements taken out
     double work = 0.0;            ///< done on the elements by loads, prescribed motions, supports and walls
     double error = 0.0;           ///< sum of all but work, less work, less the same at the start
 };

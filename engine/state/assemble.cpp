@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <span>
@@ -270,6 +271,28 @@ const char* words_for(model::Network network) {
     return "between touching elements";
 }
 
+/// Elements of clusters of at least two, of a material that wears.
+void lay_out_wear(const model::Scene& scene, State& state) {
+    const Elements& elements = state.elements;
+    const bool wears = std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](const model::Body& body) {
+        return body.in_clusters && scene.materials[body.material].wear_energy_density;
+    });
+    if (!wears) return;
+    const Index clusters = *std::max_element(elements.cluster.begin(), elements.cluster.end()) + 1;
+    std::vector<std::size_t> members(clusters);
+    for (const Index cluster : elements.cluster) ++members[cluster];
+    Wear& wear = state.wear;
+    wear.next_cluster = clusters;
+    wear.past.resize(elements.size());
+    for (std::size_t k = 0; k < elements.size(); ++k) {
+        const model::Body& body = scene.bodies[elements.body[k]];
+        const std::optional<double>& W0 = scene.materials[body.material].wear_energy_density;
+        const bool can_leave = body.in_clusters && W0 && members[elements.cluster[k]] > 1;
+        wear.limit.push_back(can_leave ? *W0 * elements.cell_area[k] * state.thickness
+                                       : std::numeric_limits<double>::infinity());
+    }
+}
+
 std::size_t cluster_count(const State& state, const Body& body) {
     const auto begin = state.elements.cluster.begin();
     std::vector<Index> numbers(begin + static_cast<std::ptrdiff_t>(body.first),
@@ -408,6 +431,8 @@ Assembly assemble(const model::Scene& scene, const packing::PackStore* packs) {
         if (bonds) state.bond_sets.push_back(std::move(*bonds));
     }
     if (!problems.empty()) throw SceneError(std::move(problems));
+    lay_out_wear(scene, state);
+    if (!scene.domain.bounds().empty()) state.gone.resize(state.elements.size());
     for (std::string& note : separate_parts(state)) assembly.notes.push_back(std::move(note));
     lay_out_walls(scene, state);
     return assembly;

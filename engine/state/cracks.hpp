@@ -14,7 +14,8 @@ namespace demlua::state {
 enum class CrackMode : std::int32_t {
     tension = 0, ///< the bond opened more than it slid
     shear = 1,
-    notch = 2 ///< cut, not broken
+    notch = 2, ///< cut, not broken
+    wear = 3   ///< of an element that left its cluster
 };
 
 /// One broken bond, as it was at that instant.

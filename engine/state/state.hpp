@@ -31,10 +31,10 @@ struct MaterialFacts {
 struct Body {
     std::string name;
     std::size_t material = 0;
-    std::size_t first = 0;            ///< rows of its elements
-    std::size_t last = 0;             ///< one past them
-    bool rigid = false;               ///< its elements move with rigid bodies, but for those in State::single
-    bool in_clusters = false;         ///< what holds elements together does so in each cluster alone
+    std::size_t first = 0;    ///< rows of its elements
+    std::size_t last = 0;     ///< one past them
+    bool rigid = false;       ///< its elements move with rigid bodies, but for those in State::single
+    bool in_clusters = false; ///< what holds elements together does so in each cluster alone
 
     [[nodiscard]] std::size_t size() const { return last - first; }
 };
@@ -111,17 +111,18 @@ struct State {
     Column<Index> rigid_members; ///< elements of the rigid bodies, one body after the other
     Column<Index> rigid_row;     ///< of each element its rigid body, or `no_rigid`; empty without rigid bodies
     Column<Index> single;        ///< elements of bodies called rigid that move on their own
-    std::vector<Load> loads; ///< forces first, then tractions, in the scene's order
+    std::vector<Load> loads;     ///< forces first, then tractions, in the scene's order
     std::vector<Drive> drives;
 
-    Wear wear;                             ///< of clusters; columns empty where no material wears
-    std::vector<FormerMates> former_mates; ///< in rising order
-    Column<std::uint8_t> gone;             ///< 1 for elements taken out; empty where nothing can leave
+    Wear wear;                               ///< of clusters; columns empty where no material wears
+    std::vector<FormerMates> former_mates;   ///< in rising order
+    Column<std::uint8_t> gone;               ///< 1 for elements taken out; empty where nothing can leave
+    std::optional<std::size_t> holding_gone; ///< first of three drives that hold these still
 
     double thickness = 1.0; ///< m
     Period period;
-    Vec2 gravity;           ///< m/s^2
-    double alpha = 0.0;     ///< mass-proportional damping, 1/s
+    Vec2 gravity;       ///< m/s^2
+    double alpha = 0.0; ///< mass-proportional damping, 1/s
     Booked booked;
 
     static constexpr Index no_rigid = static_cast<Index>(-1);

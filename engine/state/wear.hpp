@@ -13,10 +13,9 @@
 namespace demlua::state {
 
 struct Wear {
-    Column<double> limit; ///< W0 V of an element; infinite for one that has no cluster to leave, J
-    Column<double> past;  ///< W in contacts that are no longer listed, J
-    Column<double> work;  ///< W at the last instant, J
-    std::size_t left = 0; ///< elements that have left their cluster
+    Column<double> limit;   ///< W0 V of an element; infinite for one that has no cluster to leave, J
+    Column<double> past;    ///< W in contacts that are no longer listed, J
+    std::size_t left = 0;   ///< elements that have left their cluster
     Index next_cluster = 0; ///< number for the next that leaves
 
     [[nodiscard]] bool present() const { return !limit.empty(); }

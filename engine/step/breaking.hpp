@@ -88,7 +88,8 @@ void settle_broken(state::State& state, Bonds& bonds, const std::vector<Index>& 
                                 law::Coulomb::stored_energy(contact, overlap, settled) - moved_by_less;
             bonds.fracture_work += lost;
             state::Crack crack = state::crack_of(bonds, elements, k, state.time, state.step);
-            crack.mode = crack_mode(params_of(bonds, k), motion);
+            const bool worn = state.wear.present() && elements.cluster[i] != elements.cluster[j];
+            crack.mode = worn ? state::CrackMode::wear : crack_mode(params_of(bonds, k), motion);
             crack.energy = plastic_work(bonds, k) + lost;
             state.cracks.push_back(crack);
             let_go_of_dashpots(bonds, k, rate, state.dt);

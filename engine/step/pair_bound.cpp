@@ -45,6 +45,29 @@ double step_of(Block block, const Felt& contacts) {
     return law::stable_step(largest_eigenvalue(block.stiffness), largest_eigenvalue(block.damping));
 }
 
+/// Of each element of a rigid body, the elements of the same body beside it.
+void count_rigid_neighbours(const state::State& state, std::vector<std::size_t>& neighbours) {
+    if (state.rigid_members.empty()) return;
+    constexpr double near = 1.05; // of touching
+    const state::Elements& elements = state.elements;
+    std::vector<Vec2> points;
+    double largest = 0.0;
+    for (const Index k : state.rigid_members) {
+        points.push_back(elements.position(k));
+        largest = std::max(largest, elements.radius[k]);
+    }
+    CellGrid grid;
+    grid.build(points, 2.0 * near * largest);
+    grid.for_each_pair(2.0 * near * largest, [&](Index a, Index b) {
+        const Index i = state.rigid_members[a];
+        const Index j = state.rigid_members[b];
+        const double touch = elements.radius[i] + elements.radius[j];
+        if (state.rigid_row[i] != state.rigid_row[j] || norm(points[a] - points[b]) > near * touch) return;
+        ++neighbours[i];
+        ++neighbours[j];
+    });
+}
+
 } // namespace
 
 Facts facts_of(const state::State& state) {
@@ -66,28 +89,6 @@ Facts facts_of(const state::State& state) {
     }
     count_rigid_neighbours(state, facts.neighbours);
     return facts;
-}
-
-void count_rigid_neighbours(const state::State& state, std::vector<std::size_t>& neighbours) {
-    if (state.rigid_members.empty()) return;
-    constexpr double near = 1.05; // of touching
-    const state::Elements& elements = state.elements;
-    std::vector<Vec2> points;
-    double largest = 0.0;
-    for (const Index k : state.rigid_members) {
-        points.push_back(elements.position(k));
-        largest = std::max(largest, elements.radius[k]);
-    }
-    CellGrid grid;
-    grid.build(points, 2.0 * near * largest);
-    grid.for_each_pair(2.0 * near * largest, [&](Index a, Index b) {
-        const Index i = state.rigid_members[a];
-        const Index j = state.rigid_members[b];
-        const double touch = elements.radius[i] + elements.radius[j];
-        if (state.rigid_row[i] != state.rigid_row[j] || norm(points[a] - points[b]) > near * touch) return;
-        ++neighbours[i];
-        ++neighbours[j];
-    });
 }
 
 bool can_loosen(const state::State& state, std::size_t body) {
@@ -141,7 +142,8 @@ Tightest bound_of_rigid(const state::State& state, const Facts& facts) {
             stiffness += felt.stiffness;
             damping += felt.damping;
         }
-        tightest.offer(law::stable_step(stiffness, damping), state.members(rigid).front(), "contacts of its rigid body");
+        tightest.offer(law::stable_step(stiffness, damping), state.members(rigid).front(),
+                       "contacts of its rigid body");
     }
     for (const Index k : state.single) {
         const double room = room_around(state.elements.radius[k], facts.smallest_radius);

@@ -6,10 +6,12 @@
 #include "engine/step/loads.hpp"
 #include "engine/step/motion.hpp"
 #include "engine/step/pair_sums.hpp"
+#include "engine/step/removal.hpp"
 #include "engine/step/rigid_motion.hpp"
 #include "engine/step/stretch_rates.hpp"
 #include "engine/step/waking.hpp"
 #include "engine/step/wall_parts.hpp"
+#include "engine/step/wear.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -51,7 +53,7 @@ void compute_bonds(state::State& state, Stepper& stepper, state::BondSet<Law>& b
     Happened happened;
     for (const Happened& share : shares) happened |= share;
     bonds.remembers = bonds.remembers || happened.yields;
-    if (happened.fails) {
+    if (happened.fails || stepper.cut) {
         std::vector<NewContact> contacts;
         settle_broken(state, bonds, failing_rows(bonds), contacts);
         append_contacts(state, stepper.search, contacts);
@@ -87,10 +89,9 @@ void compute_bonds(state::State& state, Stepper& stepper, state::FacetSet<Law>& 
 }
 
 void compute_contacts(state::State& state, Stepper& stepper) {
-    stepper.team.share(state.contacts.size(),
-                       [&](Share part) {
-                           contact_forces(state.contacts, state.elements, state.period, state.dt, part);
-                       });
+    stepper.team.share(state.contacts.size(), [&](Share part) {
+        contact_forces(state.contacts, state.elements, state.period, state.dt, part);
+    });
     add_pair_forces(state.contacts, state.elements, stepper.team);
 }
 
@@ -128,8 +129,14 @@ void compute_forces(state::State& state, Stepper& stepper) {
 void add_forces(state::State& state, Stepper& stepper) {
     Clock& clock = stepper.clock;
     const std::uint64_t step = state.step;
+    if (state.wear.present()) {
+        clock.time(step, Stage::wear, [&] { stepper.cut = wear_out(state, stepper.search, stepper.team); });
+    }
     if (in_doubt(stepper.search)) {
-        clock.time(step, Stage::search, [&] { refresh_contacts(state, stepper.search); });
+        clock.time(step, Stage::search, [&] {
+            if (!state.gone.empty()) remove_leavers(state, stepper.domain);
+            refresh_contacts(state, stepper.search);
+        });
     }
     for (state::AnyBondSet& any : state.bond_sets) {
         clock.time(step, Stage::bonds,
@@ -210,7 +217,11 @@ std::string schedule_line(const state::State& state) {
     }
     if (state.bond_sets.empty()) unused.emplace_back("bonds");
     if (!state.bond_sets.empty() && !dashpots) unused.emplace_back("bond dashpots");
-    used.push_back(fmt::format("contacts[coulomb, {} pairs in reach]", state.contacts.size()));
+    used.push_back(fmt::format("contacts[coulomb{}, {} pairs in reach]", state.contacts.rolls ? ", rolling" : "",
+                               state.contacts.size()));
+    stage(state.wear.present(), "wear", "wear");
+    stage(state.period.repeats(), "periodic x", "periodic x");
+    stage(!state.gone.empty(), "removal", "removal");
     stage(!state.walls.empty(), fmt::format("walls[{}]", state.walls.size()), "walls");
     stage(!state.loads.empty(), fmt::format("loads[{}]", state.loads.size()), "loads");
     stage(!state.drives.empty(), fmt::format("supports and given motions[{}]", state.drives.size()),

@@ -3,6 +3,7 @@
 
 #include "engine/base/problems.hpp"
 #include "engine/base/team.hpp"
+#include "engine/model/region.hpp"
 #include "engine/state/state.hpp"
 #include "engine/step/kernels.hpp"
 #include "engine/step/motion.hpp"
@@ -16,9 +17,9 @@
 namespace demlua::step {
 
 /// Stages in the order they run, for the clock and the schedule line.
-enum class Stage { motion, bonds, contacts, walls, loads, rigid, search };
-inline constexpr std::array<const char*, 7> stage_names{"motion", "bonds", "contacts", "walls",
-                                                        "loads",  "rigid", "search"};
+enum class Stage { motion, bonds, contacts, walls, loads, rigid, search, wear };
+inline constexpr std::array<const char*, 8> stage_names{"motion", "bonds", "contacts", "walls",
+                                                        "loads",  "rigid", "search",   "wear"};
 
 /// Seconds spent in each stage, from every 16th step.
 class Clock {
@@ -36,6 +37,8 @@ struct Stepper {
     const Kernels* kernels;
     Search search;
     TravelLimit limit;
+    model::Region domain; ///< elements that leave it are taken out; empty where nothing can leave
+    bool cut = false;     ///< whether bonds have been marked to break at this instant
     Clock clock;
 
     Stepper(Team& threads, const state::State& state, double greatest_share);

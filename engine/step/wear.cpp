@@ -24,15 +24,6 @@ double listed_work(const state::State& state, std::size_t k) {
     return work;
 }
 
-void sum_work(state::State& state, Team& team) {
-    state::Wear& wear = state.wear;
-    team.share(wear.work.size(), [&](Share part) {
-        for (std::size_t k = part.begin; k < part.end; ++k) wear.work[k] = wear.past[k] + listed_work(state, k);
-    });
-    const state::WallContacts& walls = state.wall_contacts;
-    for (std::size_t c = 0; c < walls.size(); ++c) wear.work[walls.element[c]] += walls.history.at(c).friction;
-}
-
 /// Friction between mates was none of the cluster's wear, and is not to become so.
 void forget_inner_work(state::State& state, std::size_t k) {
     const state::Contacts& contacts = state.contacts;
@@ -108,11 +99,21 @@ bool leave_cluster(state::State& state, Search& search, std::size_t k) {
 
 } // namespace
 
+Column<double> sliding_work(const state::State& state, Team& team) {
+    Column<double> work(state.elements.size());
+    team.share(work.size(), [&](Share part) {
+        for (std::size_t k = part.begin; k < part.end; ++k) work[k] = state.wear.past[k] + listed_work(state, k);
+    });
+    const state::WallContacts& walls = state.wall_contacts;
+    for (std::size_t c = 0; c < walls.size(); ++c) work[walls.element[c]] += walls.history.at(c).friction;
+    return work;
+}
+
 bool wear_out(state::State& state, Search& search, Team& team) {
-    sum_work(state, team);
+    const Column<double> work = sliding_work(state, team);
     bool marked = false;
     for (std::size_t k = 0; k < state.elements.size(); ++k) {
-        if (state.wear.work[k] > state.wear.limit[k]) marked = leave_cluster(state, search, k) || marked;
+        if (work[k] > state.wear.limit[k]) marked = leave_cluster(state, search, k) || marked;
     }
     return marked;
 }

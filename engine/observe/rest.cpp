@@ -1,0 +1,70 @@
+#include "engine/observe/rest.hpp"
+
+#include "engine/observe/ledger.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace demlua::observe {
+
+namespace {
+
+struct Mean {
+    double sum = 0.0;
+    std::size_t count = 0;
+
+    void add(double value) {
+        sum += value;
+        ++count;
+    }
+    [[nodiscard]] double value() const { return count == 0 ? 0.0 : sum / static_cast<double>(count); }
+};
+
+double force_in_pairs(const state::State& state) {
+    Mean mean;
+    const auto add = [&](const Column<double>& fx, const Column<double>& fy, std::size_t rows) {
+        for (std::size_t k = 0; k < rows; ++k) {
+            if (fx[k] != 0.0 || fy[k] != 0.0) mean.add(norm(Vec2{fx[k], fy[k]}));
+        }
+    };
+    add(state.contacts.fx, state.contacts.fy, state.contacts.size());
+    for (const state::AnyBondSet& any : state.bond_sets) {
+        std::visit([&](const auto& bonds) { add(bonds.fx, bonds.fy, bonds.size()); }, any);
+    }
+    for (std::size_t c = 0; c < state.wall_contacts.size(); ++c) {
+        const std::size_t body = state.elements.body[state.wall_contacts.element[c]];
+        const double Kn = state.materials[state.bodies[body].material].stiffness.normal;
+        if (state.wall_contacts.overlap[c] > 0.0) mean.add(Kn * state.wall_contacts.overlap[c]);
+    }
+    return mean.value();
+}
+
+std::vector<bool> held_elements(const state::State& state) {
+    std::vector<bool> held(state.elements.size());
+    for (const state::Drive& drive : state.drives) {
+        for (const Index k : drive.element) held[k] = true;
+    }
+    return held;
+}
+
+double force_left(const state::State& state) {
+    const std::vector<bool> held = held_elements(state);
+    Mean mean;
+    for (std::size_t k = 0; k < state.elements.size(); ++k) {
+        if (!held[k] && !state.rigid_of(k) && !state.is_gone(k)) mean.add(norm(state.elements.force(k)));
+    }
+    for (const state::RigidBody& rigid : state.rigid_bodies) {
+        if (!rigid.empty()) mean.add(norm(rigid.force));
+    }
+    return mean.value();
+}
+
+} // namespace
+
+bool at_rest(const state::State& state, double share) {
+    const Ledger energy = ledger_of(state);
+    if (energy.kinetic > share * (energy.bonds + energy.contacts)) return false;
+    return force_left(state) <= share * force_in_pairs(state);
+}
+
+} // namespace demlua::observe

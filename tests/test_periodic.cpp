@@ -1,0 +1,105 @@
+// A box that repeats along x, and elements that leave the scene.
+#include "engine/state/state.hpp"
+#include "tests/catch.hpp"
+#include "tests/scenes.hpp"
+
+#include <cmath>
+
+using namespace demlua;
+using Catch::Approx;
+
+namespace {
+
+constexpr double R = 5e-3;
+
+model::Material bouncing(double restitution, double friction) {
+    model::Material material = test::concrete();
+    material.youngs_modulus = 1e8;
+    material.restitution = restitution;
+    material.friction = friction;
+    return material;
+}
+
+/// Disks at places of a coarse lattice with velocities that repeat no pattern, all moved along x by `shift`.
+model::Scene gas(double shift) {
+    model::Scene scene = test::scene_of(bouncing(1.0, 0.0));
+    scene.periodic_x = Vec2{0.0, 0.2};
+    scene.step_fraction = 0.05;
+    for (int k = 0; k < 40; ++k) {
+        const double x = 0.01 + 0.02 * (k % 10) + shift;
+        scene.bodies.push_back(
+            test::disks("disk " + std::to_string(k), {{{x - 0.2 * std::floor(x / 0.2), 0.02 * (k / 10)}, R}}, {}));
+        scene.bodies.back().velocity = {std::sin(3.0 * k), std::cos(5.0 * k)};
+    }
+    model::Wall floor;
+    floor.name = "floor";
+    floor.path = {{-5.0, -R}, {5.0, -R}};
+    model::Wall lid = floor;
+    lid.name = "lid";
+    lid.path = {{-5.0, 0.06 + R}, {5.0, 0.06 + R}};
+    scene.walls = {floor, lid};
+    return scene;
+}
+
+} // namespace
+
+TEST_CASE("disks meet across the edges of a periodic box") {
+    model::Scene scene = test::scene_of(bouncing(0.5, 0.0));
+    scene.periodic_x = Vec2{0.0, 0.1};
+    scene.step_fraction = 0.02;
+    scene.bodies.push_back(test::disks("left", {{{R, 0.0}, R}}, model::NoBonds{}));
+    scene.bodies.push_back(test::disks("right", {{{0.1 - 1.1 * R, 0.0}, R}}, model::NoBonds{}));
+    scene.bodies[0].velocity = {-1.0, 0.0};
+    observe::Simulation sim(scene, 1);
+    sim.run(3e-3, {});
+    CHECK(sim.body_motion(0).velocity.x - sim.body_motion(1).velocity.x == Approx(0.5).margin(2e-3));
+    CHECK(sim.momentum().linear.x == Approx(-sim.body_motion(0).mass).epsilon(1e-12));
+}
+
+TEST_CASE("a periodic gas keeps its energy and does not notice where the edges are") {
+    observe::Simulation one(gas(0.0), 1);
+    observe::Simulation other(gas(0.0731), 2);
+    const double px = one.momentum().linear.x;
+    const double before = one.ledger().kinetic;
+    // Every collision multiplies what rounding leaves: each disk meets one or two others.
+    for (observe::Simulation* sim : {&one, &other}) sim->run(0.008, {});
+    CHECK(one.momentum().linear.x == Approx(px).epsilon(1e-10));
+    CHECK(one.ledger().kinetic + one.ledger().contacts == Approx(before).epsilon(1e-3));
+    for (std::size_t body = 0; body < 40; ++body) {
+        const Vec2 a = one.body_motion(body).centre;
+        const Vec2 b = other.body_motion(body).centre;
+        const double dx = b.x - a.x - 0.0731;
+        CHECK(std::fabs(dx - 0.2 * std::nearbyint(dx / 0.2)) < 1e-7);
+        CHECK(std::fabs(b.y - a.y) < 1e-7);
+    }
+    for (const Vec2 at : one.snapshot().position) CHECK((at.x >= 0.0 && at.x < 0.2));
+}
+
+TEST_CASE("a periodic box too small for its elements is refused with what it takes") {
+    model::Scene scene = test::scene_of(bouncing(0.5, 0.0));
+    scene.periodic_x = Vec2{0.0, 0.02};
+    scene.bodies.push_back(test::disks("disk", {{{0.01, 0.0}, R}}, model::NoBonds{}));
+    // Twice the reach: two diameters and a skin of 0.8 radii.
+    CHECK_THROWS_WITH(observe::Simulation(scene, 1),
+                      Catch::Matchers::ContainsSubstring("periodic_x") && Catch::Matchers::ContainsSubstring("0.028"));
+}
+
+TEST_CASE("what leaves the domain is counted, booked and no longer drawn") {
+    model::Scene scene = test::scene_of(bouncing(0.5, 0.3));
+    scene.gravity = {0.0, -9.81};
+    scene.domain = model::Region::rectangle({-1.0, -0.1}, {2.0, 2.0});
+    for (int k = 0; k < 5; ++k) {
+        scene.bodies.push_back(test::disks("disk " + std::to_string(k), {{{0.05 * k, 0.1 * k}, R}}, {}));
+    }
+    observe::Simulation sim(scene, 1);
+    // A fall of 0.1 m k + 0.1 m takes sqrt(2 h/g): 0.143, 0.202, 0.247, 0.286, 0.319 s.
+    sim.run(0.26, {});
+    CHECK(sim.removed_elements() == 3);
+    CHECK(sim.snapshot().position.size() == 2);
+    const double m = sim.body_motion(0).mass;
+    CHECK(sim.ledger().removed == Approx(m * 9.81 * (0.1 + 0.2 + 0.3)).epsilon(0.05));
+    CHECK(std::fabs(sim.ledger().error) < 1e-6 * sim.ledger().removed);
+    sim.run(0.2, {});
+    CHECK(sim.removed_elements() == 5);
+    CHECK(sim.ledger().kinetic == 0.0);
+}
