@@ -19,6 +19,8 @@ Momentum momentum_of(const state::State& state);
 
 BodyMotion motion_of_body(const state::State& state, std::size_t body);
 
+WallMotion motion_of_wall(const state::State& state, std::size_t wall);
+
 /// Velocity at the instant itself, m/s.
 Vec2 velocity_now(const state::State& state, std::size_t element);
 

@@ -10,12 +10,14 @@
 #include "engine/state/loading.hpp"
 #include "engine/state/parts.hpp"
 #include "engine/state/selection.hpp"
+#include "engine/state/wall_assembly.hpp"
 #include "engine/step/loads.hpp"
 #include "engine/step/quasi_static.hpp"
 #include "engine/step/real_moduli.hpp"
 #include "engine/step/static_solve.hpp"
 #include "engine/step/step.hpp"
 #include "engine/step/time_step.hpp"
+#include "engine/step/wall_start.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -135,6 +137,8 @@ Simulation::Simulation(const model::Scene& scene, int threads, const packing::Pa
     inside_ = std::make_unique<Inside>(scene, threads, *state_, std::move(assembly.notes));
     take_in(scene);
     step::refresh_contacts(*state_, inside_->stepper.search);
+    std::vector<Problem> problems = step::elements_across_walls(scene, *state_);
+    if (!problems.empty()) throw SceneError(std::move(problems));
     prepare({});
 }
 
@@ -260,9 +264,15 @@ void Simulation::replace_motion(std::size_t row, const model::Motion& motion) {
     add_drives(moved.drives, state::drives_of(motion, moved.elements, *state_));
 }
 
-void Simulation::set_wall_velocity(std::size_t wall, const Signal& x, const Signal& y) {
-    state_->walls.at(wall).velocity_x = x;
-    state_->walls.at(wall).velocity_y = y;
+void Simulation::replace_wall(std::size_t row, const model::Wall& wall) {
+    state::set_motion(wall, *state_, state_->walls.at(row));
+}
+
+void Simulation::replace_outline(std::size_t row, const model::Outline& outline) {
+    const double before = balance(ledger_of(*state_));
+    state::set_motion(outline, state_->walls.at(inside_->scene.walls.size() + row));
+    // What moves as it is told keeps no account of its own motion.
+    state_->booked.walls += balance(ledger_of(*state_)) - before;
 }
 
 void Simulation::set_velocity(const model::Selection& selection, Vec2 velocity) {
@@ -474,6 +484,7 @@ Ledger Simulation::ledger() const {
 Momentum Simulation::momentum() const { return momentum_of(*state_); }
 BodyMotion Simulation::body_motion(std::size_t body) const { return motion_of_body(*state_, body); }
 Vec2 Simulation::wall_force(std::size_t wall) const { return state_->walls.at(wall).force; }
+WallMotion Simulation::wall_motion(std::size_t wall) const { return motion_of_wall(*state_, wall); }
 
 Snapshot Simulation::snapshot() const {
     Snapshot snapshot;

@@ -65,6 +65,20 @@ struct BodyMotion {
     Box extent;        ///< of its disks, m
 };
 
+/// Motion of a wall or an outline, and what elements do to it.
+struct WallMotion {
+    Vec2 position;       ///< of the point it turns about, of an outline the centre of mass, m
+    Vec2 velocity;       ///< m/s
+    double angle = 0.0;  ///< turned since the start, rad
+    double spin = 0.0;   ///< rad/s
+    Vec2 force;          ///< of the elements on it, N
+    double moment = 0.0; ///< likewise, about `position`, N m
+    Vec2
+        stress; ///< with which it presses on what it meets: over its height along x and its width along y, Pa; 0 without
+    double mass = 0.0;    ///< of an outline, kg
+    double inertia = 0.0; ///< of an outline, about its centre of mass, kg m^2
+};
+
 /// One line of the history: names and values in the order of the columns.
 using HistoryRow = std::vector<std::pair<std::string, double>>;
 

@@ -5,6 +5,7 @@
 #include "engine/state/contacts.hpp"
 #include "engine/state/cracks.hpp"
 #include "engine/state/elements.hpp"
+#include "engine/state/walls.hpp"
 
 #include "engine/base/signal.hpp"
 #include "engine/law/stiffness.hpp"
@@ -99,5 +100,10 @@ struct State {
     double alpha = 0.0;     ///< mass-proportional damping, 1/s
     Booked booked;
 };
+
+/// Law of the contacts of an element with a wall.
+inline const PairRule& wall_rule(const State& state, std::size_t wall, std::size_t element) {
+    return state.walls[wall].rules[state.bodies[state.elements.body[element]].material];
+}
 
 } // namespace demlua::state
