@@ -27,7 +27,7 @@ void check_path(const Wall& wall, Findings& findings) {
 double extent_of(const std::vector<Vec2>& path, double Vec2::*axis) {
     const auto [least, most] =
         std::minmax_element(path.begin(), path.end(), [&](Vec2 a, Vec2 b) { return a.*axis < b.*axis; });
-    return path.empty() ? 0.0 : *most.*axis - *least.*axis;
+    return path.empty() ? 0.0 : (*most).*axis - (*least).*axis;
 }
 
 void check_servo(const Wall& wall, Findings& findings) {
@@ -71,14 +71,25 @@ void check_outline(const Outline& outline, Findings& findings) {
     check_signal(outline.given_spin, "outline.spin", outline.place, findings);
 }
 
+struct Said {
+    std::string name;
+    Place place;
+    std::string what;
+};
+
 } // namespace
 
 void check_walls(const Scene& scene, Findings& findings) {
     for (const Wall& wall : scene.walls) check_wall(wall, findings);
     for (const Outline& outline : scene.outlines) check_outline(outline, findings);
-    std::set<std::string> names; // both are read as now.wall.NAME
-    check_names(scene.walls, "wall", names, findings);
-    check_names(scene.outlines, "wall", names, findings);
+    std::vector<Said> said; // both are read as now.wall.NAME
+    for (const Wall& wall : scene.walls) said.push_back({wall.name, wall.place, "wall.name"});
+    for (const Outline& outline : scene.outlines) said.push_back({outline.name, outline.place, "outline.name"});
+    std::set<std::string> names;
+    for (const Said& each : said) {
+        if (each.name.empty() || names.insert(each.name).second) continue;
+        findings.add(each.place, each.what, '"' + each.name + '"', "is already the name of another wall or outline");
+    }
     const bool meets_walls = !scene.walls.empty() || !scene.outlines.empty();
     if (meets_walls && scene.greatest_move > greatest_move_at_walls) {
         findings.add(scene.place, "simulation.greatest_move", text_of(scene.greatest_move),

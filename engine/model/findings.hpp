@@ -24,21 +24,15 @@ struct Findings {
 /// Times must rise, and all numbers must be finite. A signal that is not there is right.
 void check_signal(const std::optional<Signal>& signal, const std::string& what, const Place& place, Findings& findings);
 
-/// Results are found by name, so a name must belong to one thing of its kind. `seen`: the names of that kind so far.
+/// Results are found by name, so a name must belong to one thing of its kind.
 template <class Named>
-void check_names(const std::vector<Named>& all, const std::string& word, std::set<std::string>& seen,
-                 Findings& findings) {
+void check_names(const std::vector<Named>& all, const std::string& word, Findings& findings) {
+    std::set<std::string> seen;
     for (const Named& each : all) {
         if (!each.name.empty() && !seen.insert(each.name).second) {
             findings.add(each.place, word + ".name", '"' + each.name + '"', "is already the name of another " + word);
         }
     }
-}
-
-template <class Named>
-void check_names(const std::vector<Named>& all, const std::string& word, Findings& findings) {
-    std::set<std::string> seen;
-    check_names(all, word, seen, findings);
 }
 
 } // namespace demlua::model

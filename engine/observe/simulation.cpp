@@ -155,11 +155,14 @@ void Simulation::add_drives(std::vector<std::size_t>& rows, std::vector<state::D
 
 void Simulation::take_in(const model::Scene& scene) {
     Taken& taken = inside_->taken;
-    if (scene.bodies.size() != state_->bodies.size() || scene.walls.size() != state_->walls.size()) {
-        const Place& place =
-            scene.bodies.size() != state_->bodies.size() ? scene.bodies.back().place : scene.walls.back().place;
-        throw SceneError(Problem{place, "body or wall", "", "must be said before the first run", ""});
-    }
+    const model::Scene& assembled = inside_->scene;
+    const auto refuse_more = [](const auto& rows, const auto& known, const char* word) {
+        if (rows.size() == known.size()) return;
+        throw SceneError(Problem{rows.back().place, word, "", "must be said before the first run", ""});
+    };
+    refuse_more(scene.bodies, assembled.bodies, "body");
+    refuse_more(scene.walls, assembled.walls, "wall");
+    refuse_more(scene.outlines, assembled.outlines, "outline");
     std::vector<Problem> problems;
     const auto attempt = [&](const auto& work) {
         try {
@@ -498,6 +501,7 @@ Snapshot Simulation::snapshot() const {
     }
     add_bonds_to(snapshot, *state_);
     add_cracks_to(snapshot, *state_);
+    add_walls_to(snapshot, *state_);
     return snapshot;
 }
 

@@ -2,6 +2,8 @@
 #include "engine/step/motion.hpp"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace demlua::observe {
 
@@ -36,6 +38,29 @@ WallMotion motion_of_wall(const state::State& state, std::size_t row) {
     if (wall.free_y()) motion.velocity.y = now(wall.velocity.y, force.y, motion.mass);
     if (wall.free_to_turn()) motion.spin = now(wall.spin, wall.moment, motion.inertia);
     return motion;
+}
+
+void add_walls_to(Snapshot& snapshot, const state::State& state) {
+    if (state.walls.empty()) return;
+    std::vector<double> velocity;
+    std::vector<double> force;
+    std::vector<double> spin;
+    std::vector<double> moment;
+    for (std::size_t row = 0; row < state.walls.size(); ++row) {
+        const state::Wall& wall = state.walls[row];
+        snapshot.wall_names.push_back(wall.name);
+        snapshot.wall_paths.push_back(wall.points);
+        if (wall.closed) snapshot.wall_paths.back().push_back(wall.points.front());
+        const WallMotion motion = motion_of_wall(state, row);
+        velocity.insert(velocity.end(), {motion.velocity.x, motion.velocity.y});
+        force.insert(force.end(), {motion.force.x, motion.force.y});
+        spin.push_back(motion.spin);
+        moment.push_back(motion.moment);
+    }
+    snapshot.wall_fields = {{"velocity", "m/s", 2, std::move(velocity)},
+                            {"spin", "rad/s", 1, std::move(spin)},
+                            {"force", "N", 2, std::move(force)},
+                            {"moment", "N m", 1, std::move(moment)}};
 }
 
 } // namespace demlua::observe

@@ -209,7 +209,10 @@ std::string schedule_line(const state::State& state) {
     if (state.bond_sets.empty()) unused.emplace_back("bonds");
     if (!state.bond_sets.empty() && !dashpots) unused.emplace_back("bond dashpots");
     used.push_back(fmt::format("contacts[coulomb, {} pairs in reach]", state.contacts.size()));
-    stage(!state.walls.empty(), fmt::format("walls[{}]", state.walls.size()), "walls");
+    std::size_t outlines = 0;
+    for (const state::Wall& wall : state.walls) outlines += wall.matter ? 1 : 0;
+    stage(state.walls.size() > outlines, fmt::format("walls[{}]", state.walls.size() - outlines), "walls");
+    stage(outlines > 0, fmt::format("outlines[{}]", outlines), "outlines");
     stage(!state.loads.empty(), fmt::format("loads[{}]", state.loads.size()), "loads");
     stage(!state.drives.empty(), fmt::format("supports and given motions[{}]", state.drives.size()),
           "supports and given motions");
