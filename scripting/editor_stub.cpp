@@ -31,6 +31,8 @@ const std::string& class_given(const Word& word) {
                                                             {"a body", "dem.body"},
                                                             {"a load", "dem.load"},
                                                             {"a wall", "dem.wall"},
+                                                            {"an outline", "dem.outline"},
+                                                            {"a list of points", "number[][]"},
                                                             {"an output", "dem.output"},
                                                             {"a history", "dem.history"},
                                                             {"a signal", "dem.signal"}};
@@ -54,6 +56,8 @@ std::string stub_of(const Word& word) {
     std::string text = fmt::format("---@class {}\n", settings_class(word));
     for (const Setting& setting : word.settings) text += field(setting);
     if (!word.others.empty()) text += "---@field [string] any\n";
+    // A table within another word's is no function.
+    if (holder_of(word) != "dem" && word.call.find(':') == std::string::npos) return text + "\n";
     text += fmt::format("\n---{}\n---\n---    {}\n---@param settings {}\n", word.meaning, word.example,
                         settings_class(word));
     if (!word.gives.empty()) text += fmt::format("---@return {}\n", class_given(word));
@@ -110,11 +114,6 @@ local history = {}
 ---@param settings { every: number }
 function history:set(settings) end
 
----@class dem.wall
----@field name string
----@field force dem.vector
-local wall = {}
-
 )";
 
 constexpr const char* readers = R"(---@param name string
@@ -131,7 +130,7 @@ function body:field(name) end
 ---@field ledger dem.ledger
 ---@field momentum dem.momentum
 ---@field body table<string, dem.body_motion>
----@field wall table<string, dem.wall>
+---@field wall table<string, dem.wall_motion>
 )";
 
 constexpr const char* now_methods = R"(local now = {}
@@ -171,6 +170,10 @@ function dem.bond_law(law) end
 std::string words_as_editor_stub() {
     std::string text = objects;
     text += "---@class dem.body_motion\n" + fields(body_readings()) + "\n";
+    text += "---@class dem.wall_motion\n" + fields(wall_readings()) + "\n";
+    for (const char* kind : {"wall", "outline"}) {
+        text += fmt::format("---@class dem.{0}: dem.wall_motion\n---@field name string\nlocal {0} = {{}}\n\n", kind);
+    }
     text += "---@class dem.ledger\n" + fields(ledger_readings()) + "\n";
     text += "---@class dem.momentum\n" + fields(momentum_readings()) + "\n";
     text += "---@class dem.bond_break\n" + fields(break_readings()) + "\n";

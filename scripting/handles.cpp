@@ -186,25 +186,69 @@ int load_index(lua_State* L) {
     unknown_field("a load", key, known);
 }
 
+bool says(lua_State* L, const char* setting) {
+    if (lua_type(L, 2) != LUA_TTABLE) return false;
+    lua_pushstring(L, setting);
+    lua_rawget(L, 2);
+    const bool said = lua_toboolean(L, -1) != 0;
+    lua_pop(L, 1);
+    return said;
+}
+
 int wall_move(lua_State* L) {
     const std::size_t row = self<WallHandle>(L, "wall:move { ... }").row;
+    Context& context = Context::of(L);
+    if (says(L, "stop")) {
+        forget_functions(context, {LoadKind::wall, row});
+        forget_functions(context, {LoadKind::servo, row});
+        Wall& wall = context.scene.walls[row];
+        wall.velocity_x.reset();
+        wall.velocity_y.reset();
+        wall.spin.reset();
+        wall.servo.reset();
+    }
     change(L, {LoadKind::wall, row}, words::wall_move());
     return 0;
 }
 
-int wall_index(lua_State* L) {
-    const std::size_t row = test<WallHandle>(L, 1)->row;
+int outline_move(lua_State* L) {
+    const std::size_t row = self<OutlineHandle>(L, "outline:move { ... }").row;
+    Context& context = Context::of(L);
+    if (says(L, "free")) {
+        forget_functions(context, {LoadKind::outline, row});
+        Outline& outline = context.scene.outlines[row];
+        outline.given_x.reset();
+        outline.given_y.reset();
+        outline.given_spin.reset();
+    }
+    change(L, {LoadKind::outline, row}, words::outline_move());
+    return 0;
+}
+
+/// `row` as Simulation::wall_motion counts.
+int push_wall_answer(lua_State* L, const std::string& name, lua_CFunction move, std::size_t row) {
     const std::string key = asked_key(L);
     if (key == "name") {
-        lua_pushstring(L, Context::of(L).scene.walls[row].name.c_str());
+        lua_pushstring(L, name.c_str());
     } else if (key == "move") {
-        lua_pushcfunction(L, guarded<wall_move>);
-    } else if (key == "force") {
-        push_wall_force(L, row);
-    } else {
-        unknown_field("a wall", key, {"name", "move", "force"});
+        lua_pushcfunction(L, move);
+    } else if (!push_wall_field(L, row, key)) {
+        std::vector<std::string> known = wall_field_names();
+        known.insert(known.end(), {"name", "move"});
+        unknown_field("a wall", key, known);
     }
     return 1;
+}
+
+int wall_index(lua_State* L) {
+    const std::size_t row = test<WallHandle>(L, 1)->row;
+    return push_wall_answer(L, Context::of(L).scene.walls[row].name, guarded<wall_move>, row);
+}
+
+int outline_index(lua_State* L) {
+    const std::size_t row = test<OutlineHandle>(L, 1)->row;
+    const Scene& scene = Context::of(L).scene;
+    return push_wall_answer(L, scene.outlines[row].name, guarded<outline_move>, scene.walls.size() + row);
 }
 
 // --- what is written -------------------------------------------------------------------------------------------------
@@ -236,6 +280,7 @@ void add_handles(lua_State* L) {
     define<SideHandle>(L, guarded<side_index>);
     define<LoadHandle>(L, guarded<load_index>);
     define<WallHandle>(L, guarded<wall_index>);
+    define<OutlineHandle>(L, guarded<outline_index>);
     define<OutputHandle>(L, guarded<interval_index<OutputHandle>>);
     define<HistoryHandle>(L, guarded<interval_index<HistoryHandle>>);
 }

@@ -22,8 +22,11 @@ std::vector<std::string> body_field_names();
 /// What a function of sim:on_bond_break is told, as a strict table.
 void push_bond_break(lua_State* L, const observe::BondBreak& event);
 
-/// { x, y } of the force on a wall.
-void push_wall_force(lua_State* L, std::size_t wall);
+/// The same of a wall; outlines come after the walls.
+void push_wall_motion(lua_State* L, std::size_t wall);
+bool push_wall_field(lua_State* L, std::size_t wall, const std::string& field);
+std::vector<std::string> wall_field_names();
+
 void push_vector(lua_State* L, Vec2 vector);
 
 /// object:mean(field), object:sum(field), object:field(field) of a body or side; now:mean(field, selection), ...

@@ -59,6 +59,11 @@ observe::BodyMotion motion_of(lua_State* L, std::size_t body) {
     return simulation == nullptr ? observe::BodyMotion{} : simulation->body_motion(body);
 }
 
+observe::WallMotion motion_of_wall(lua_State* L, std::size_t wall) {
+    const Simulation* const simulation = readable(L);
+    return simulation == nullptr ? observe::WallMotion{} : simulation->wall_motion(wall);
+}
+
 template <class Source>
 std::vector<std::string> names_of(const std::vector<Reading<Source>>& readings) {
     std::vector<std::string> names;
@@ -83,12 +88,16 @@ int bodies_index(lua_State* L) {
     return 1;
 }
 
+struct Named {
+    std::string name;
+};
+
 int walls_index(lua_State* L) {
-    const std::size_t row = find_named(Context::of(L).scene.walls, asked_key(L), "wall");
-    lua_createtable(L, 0, 1);
-    push_wall_force(L, row);
-    lua_setfield(L, -2, "force");
-    make_strict(L, "reading of a wall");
+    const model::Scene& scene = Context::of(L).scene;
+    std::vector<Named> all;
+    for (const model::Wall& wall : scene.walls) all.push_back({wall.name});
+    for (const model::Outline& outline : scene.outlines) all.push_back({outline.name});
+    push_wall_motion(L, find_named(all, asked_key(L), "wall"));
     return 1;
 }
 
@@ -212,10 +221,20 @@ void push_bond_break(lua_State* L, const observe::BondBreak& event) {
 
 std::vector<std::string> body_field_names() { return names_of(body_readings()); }
 
-void push_wall_force(lua_State* L, std::size_t wall) {
-    const Simulation* const simulation = readable(L);
-    push_vector(L, simulation == nullptr ? Vec2{} : simulation->wall_force(wall));
+void push_wall_motion(lua_State* L, std::size_t wall) {
+    push_all(L, wall_readings(), motion_of_wall(L, wall), "reading of a wall");
 }
+
+bool push_wall_field(lua_State* L, std::size_t wall, const std::string& field) {
+    for (const auto& reading : wall_readings()) {
+        if (reading.name != field) continue;
+        push_reading(L, reading, motion_of_wall(L, wall));
+        return true;
+    }
+    return false;
+}
+
+std::vector<std::string> wall_field_names() { return names_of(wall_readings()); }
 
 int read_mean(lua_State* L) {
     const std::vector<double> values = field_values(L);

@@ -24,7 +24,7 @@ struct SideHandle {
     std::size_t body = 0;
     model::Side side = model::Side::left;
 };
-enum class LoadKind { motion, force, traction, wall };
+enum class LoadKind { motion, force, traction, wall, servo, outline };
 /// A row of the scene whose signals may be functions of time.
 struct LoadHandle {
     LoadKind kind = LoadKind::force;
@@ -33,6 +33,9 @@ struct LoadHandle {
     friend bool operator==(const LoadHandle&, const LoadHandle&) = default;
 };
 struct WallHandle {
+    std::size_t row = 0;
+};
+struct OutlineHandle {
     std::size_t row = 0;
 };
 /// What is written at an interval that can be changed.
@@ -45,7 +48,7 @@ struct HistoryHandle {
 struct SimulationHandle {};
 /// The simulation as it stands, as callbacks see it.
 struct Now {};
-/// now.body and now.wall, asked for a name.
+/// now.body and now.wall (outlines too), asked for a name.
 struct BodiesNow {};
 struct WallsNow {};
 
@@ -70,6 +73,8 @@ template <>
 inline constexpr const char* object_name<LoadHandle> = "load";
 template <>
 inline constexpr const char* object_name<WallHandle> = "wall";
+template <>
+inline constexpr const char* object_name<OutlineHandle> = "outline";
 template <>
 inline constexpr const char* object_name<OutputHandle> = "output";
 template <>

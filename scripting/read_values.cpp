@@ -1,6 +1,7 @@
 // One value into one slot: its type, its finiteness, its range.
 #include "engine/model/settings.hpp"
 #include "scripting/read.hpp"
+#include "scripting/signals.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -186,6 +187,14 @@ struct Filler {
     }
     void operator()(PackingChoice* into) const { take_object(value, slot, *into); }
     void operator()(BondChoice* into) const { take_object(value, slot, *into); }
+    void operator()(std::optional<Servo>* into) const {
+        Call call = value.call;
+        call.label = value.what;
+        call.load = LoadHandle{LoadKind::servo, value.call.load->row};
+        forget_functions(call.context, *call.load);
+        into->emplace();
+        read(call, index(), words::servo(), **into);
+    }
     void operator()(Selection* into) const { read_selection(value.call, value.what, index(), *into); }
     void operator()(const WithinSlot& within) const {
         if (test<Region>(L(), index()) == nullptr) return value.wrong_type(slot);

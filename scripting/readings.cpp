@@ -7,6 +7,7 @@ using observe::BondBreak;
 using observe::Ledger;
 using observe::Momentum;
 using observe::Simulation;
+using observe::WallMotion;
 
 namespace {
 
@@ -80,6 +81,27 @@ const std::vector<Reading<BodyMotion>>& body_readings() {
         {"highest", "m", "y of its highest point", [](const BodyMotion& m) { return m.extent.upper.y; }},
         {"leftmost", "m", "x of its leftmost point", [](const BodyMotion& m) { return m.extent.lower.x; }},
         {"rightmost", "m", "x of its rightmost point", [](const BodyMotion& m) { return m.extent.upper.x; }},
+    };
+    return rows;
+}
+
+const std::vector<Reading<WallMotion>>& wall_readings() {
+    static const std::vector<Reading<WallMotion>> rows{
+        {"position", "m", "x and y of what it turns about; of an outline's centre of mass",
+         [](const WallMotion& m) { return m.position; }},
+        {"velocity", "m/s", "x and y", [](const WallMotion& m) { return m.velocity; }},
+        {"angle", "rad", "turned since the start", [](const WallMotion& m) { return m.angle; }},
+        {"spin", "rad/s", "counter-clockwise", [](const WallMotion& m) { return m.spin; }},
+        {"force", "N", "x and y, of the elements on it", [](const WallMotion& m) { return m.force; }},
+        {"moment", "N m", "of the elements on it, about its position", [](const WallMotion& m) { return m.moment; }},
+        {"stress", "Pa",
+         "x over its height and y over its width, positive where it presses towards the side on which the middle of "
+         "all "
+         "elements lay when its motion was said; 0 for one without height or width",
+         [](const WallMotion& m) { return m.stress; }},
+        {"mass", "kg", "of an outline, else 0", [](const WallMotion& m) { return m.mass; }},
+        {"inertia", "kg m^2", "of an outline about its centre of mass, else 0",
+         [](const WallMotion& m) { return m.inertia; }},
     };
     return rows;
 }

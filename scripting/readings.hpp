@@ -21,6 +21,7 @@ struct Reading {
 const std::vector<Reading<observe::Simulation>>& now_readings();
 const std::vector<Reading<observe::Ledger>>& ledger_readings();
 const std::vector<Reading<observe::Momentum>>& momentum_readings();
+const std::vector<Reading<observe::WallMotion>>& wall_readings();
 const std::vector<Reading<observe::BodyMotion>>& body_readings();
 const std::vector<Reading<observe::BondBreak>>& break_readings();
 

@@ -132,7 +132,7 @@ after now; the time step stays as it was fitted to the interval first said. A bo
 **Bond laws**: `dem.bond_law "plateau"` gives `dem.plateau`, so that a parameter can choose: `dem.bond_law(p.law) { damping = 0.02 }`.
 
 **Several runs**: lines after `sim:run` see what came of it and may add loads, supports and notches, or change them, before
-the next. Bodies and walls must stand before the first run. `sim:history`, `sim:output`, `sim:every` and
+the next. Bodies, walls and outlines must stand before the first run. `sim:history`, `sim:output`, `sim:every` and
 `sim:on_bond_break` stay in force and add up.
 
 **Including**: `dem.include "other.lua" { speed = 20 }` runs another scene, whose path is taken from the file's own folder,
@@ -171,8 +171,7 @@ std::string words_as_markdown() {
             "of elements; `now:frame()` writes a frame of this very instant; `now:stop(\"reason\")` ends a run.\n\n";
     text += markdown_of("`now`", now_readings());
     text += markdown_of("`now.body.NAME`", body_readings());
-    text += "### `now.wall.NAME`\n\n| reading | unit | meaning |\n|---|---|---|\n| `force` | N | x and y, on the wall "
-            "|\n\n";
+    text += markdown_of("`now.wall.NAME`, of outlines too", wall_readings());
     text += markdown_of("`now.momentum`", momentum_readings());
     text += markdown_of("`now.ledger`", ledger_readings());
     text += markdown_of("The event of `sim:on_bond_break`", break_readings());

@@ -224,11 +224,16 @@ void RunHost::tell_result(const output::SummaryEnding& ending) {
 }
 
 std::string RunHost::files_to_open() const {
-    std::string elements = settings_.folder.file("elements.pvd").string();
-    if (!writer_->has_bonds()) return elements;
-    const std::string bonds = settings_.folder.file("bonds.pvd").string();
-    if (!writer_->has_cracks()) return fmt::format("{} and {}", elements, bonds);
-    return fmt::format("{}, {} and {}", elements, bonds, settings_.folder.file("cracks.pvd").string());
+    std::vector<std::string> files;
+    const auto add = [&](bool written, const char* name) {
+        if (written) files.push_back(settings_.folder.file(name).string());
+    };
+    add(writer_->has_walls(), "walls.pvd");
+    add(writer_->has_cracks(), "cracks.pvd");
+    add(writer_->has_bonds(), "bonds.pvd");
+    std::string text = settings_.folder.file("elements.pvd").string();
+    for (; files.size() > 1; files.pop_back()) text += ", " + files.back();
+    return files.empty() ? text : text + " and " + files.back();
 }
 
 output::Summary RunHost::summary(const output::SummaryEnding& ending) const {

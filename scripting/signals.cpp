@@ -16,7 +16,8 @@ using namespace model;
 
 namespace {
 
-constexpr std::array all_kinds{LoadKind::motion, LoadKind::force, LoadKind::traction, LoadKind::wall};
+constexpr std::array all_kinds{LoadKind::motion, LoadKind::force, LoadKind::traction,
+                               LoadKind::wall,   LoadKind::servo, LoadKind::outline};
 
 /// Where a function of time ends up: the signal, and the address by which its slot is known.
 struct Target {
@@ -102,11 +103,11 @@ void replace(observe::Simulation& simulation, const Scene& scene, const LoadHand
         return simulation.replace_force(load.row, scene.forces[load.row]);
     case LoadKind::traction:
         return simulation.replace_traction(load.row, scene.tractions[load.row]);
-    case LoadKind::wall: {
-        const Wall& wall = scene.walls[load.row];
-        const Signal still = Signal::constant(0.0);
-        return simulation.set_wall_velocity(load.row, wall.velocity_x.value_or(still), wall.velocity_y.value_or(still));
-    }
+    case LoadKind::wall:
+    case LoadKind::servo:
+        return simulation.replace_wall(load.row, scene.walls[load.row]);
+    case LoadKind::outline:
+        return simulation.replace_outline(load.row, scene.outlines[load.row]);
     }
 }
 
@@ -120,6 +121,10 @@ const Word& word_of(LoadKind kind) {
         return words::force();
     case LoadKind::traction:
         return words::traction();
+    case LoadKind::servo:
+        return words::servo();
+    case LoadKind::outline:
+        return words::outline_move();
     case LoadKind::wall:
         break;
     }
@@ -134,6 +139,10 @@ void* row_of(Scene& scene, const LoadHandle& load) {
         return &scene.forces[load.row];
     case LoadKind::traction:
         return &scene.tractions[load.row];
+    case LoadKind::servo:
+        return &scene.walls[load.row].servo.value();
+    case LoadKind::outline:
+        return &scene.outlines[load.row];
     case LoadKind::wall:
         break;
     }
@@ -148,10 +157,19 @@ std::size_t count_of(const Scene& scene, LoadKind kind) {
         return scene.forces.size();
     case LoadKind::traction:
         return scene.tractions.size();
+    case LoadKind::outline:
+        return scene.outlines.size();
     case LoadKind::wall:
+    case LoadKind::servo:
         break;
     }
     return scene.walls.size();
+}
+
+void forget_functions(Context& context, const LoadHandle& load) {
+    auto& said = context.time_functions;
+    said.erase(std::remove_if(said.begin(), said.end(), [&](const TimeFunction& each) { return each.load == load; }),
+               said.end());
 }
 
 void read_signal(const Value& value, const Slot& slot, int at, int component, Signal& signal, const void* target) {

@@ -13,6 +13,9 @@ namespace demlua::scripting {
 /// The rows of the kind of load a handle points to, and the load itself.
 const model::Word& word_of(LoadKind kind);
 void* row_of(model::Scene& scene, const LoadHandle& load);
+/// Functions of time said for a row no longer count.
+void forget_functions(Context& context, const LoadHandle& load);
+
 std::size_t count_of(const model::Scene& scene, LoadKind kind);
 
 /// What one signal of a load is worth at the present instant; nothing when the load was not given it.

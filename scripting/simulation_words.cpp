@@ -107,6 +107,14 @@ int wall(lua_State* L) {
     return 1;
 }
 
+int outline(lua_State* L) {
+    const Call call = call_on_simulation(L, words::outline());
+    refuse_once_running(call);
+    add_row(call, words::outline(), scene_of(L).outlines);
+    push(L, OutlineHandle{scene_of(L).outlines.size() - 1});
+    return 1;
+}
+
 template <class T, const WordOf<T>& (*word)(), std::vector<T> Scene::*rows>
 int add(lua_State* L) {
     add_row(call_on_simulation(L, word()), word(), scene_of(L).*rows);
@@ -255,14 +263,15 @@ void add_simulation(lua_State* L) {
     lua_setfield(L, -2, "simulation");
     define<SimulationHandle>(L, nullptr);
     luaL_getmetatable(L, object_name<SimulationHandle>);
-    lua_createtable(L, 0, 18);
-    constexpr std::array<luaL_Reg, 17> methods{
+    lua_createtable(L, 0, 19);
+    constexpr std::array<luaL_Reg, 18> methods{
         {{"body", guarded<body>},
          {"fix", guarded<fix>},
          {"move", guarded<move>},
          {"force", guarded<force>},
          {"traction", guarded<traction>},
          {"wall", guarded<wall>},
+         {"outline", guarded<outline>},
          {"notch", guarded<add<Notch, words::notch, &Scene::notches>>},
          {"damping", guarded<add<Damping, words::damping, &Scene::dampings>>},
          {"probe", guarded<add<Probe, words::probe, &Scene::probes>>},

@@ -1,5 +1,6 @@
 // Words that make values: materials, regions, packings, signals; those of bond laws have their own file.
 #include "engine/model/check.hpp"
+#include "engine/model/figure.hpp"
 #include "engine/model/settings.hpp"
 #include "scripting/read.hpp"
 #include "scripting/sandbox.hpp"
@@ -7,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace demlua::scripting {
 
@@ -148,6 +150,31 @@ int ramp(lua_State* L) {
     return 1;
 }
 
+// --- paths -----------------------------------------------------------------------------------------------------------
+
+int sawtooth(lua_State* L) {
+    const Call call(L, words::sawtooth().name());
+    SawtoothSaid said;
+    bool good = read(call, 1, words::sawtooth(), said);
+    if (good && said.from == said.to) {
+        call.complain("sawtooth.to", "", "must differ from from", "", Cause::value);
+        good = false;
+    }
+    const std::vector<Vec2> points =
+        good ? model::sawtooth(said.from, said.to, said.height, said.pitch) : std::vector<Vec2>{{0, 0}, {1, 0}};
+    lua_createtable(L, static_cast<int>(points.size()), 0);
+    lua_Integer item = 0;
+    for (const Vec2 point : points) {
+        lua_createtable(L, 2, 0);
+        lua_pushnumber(L, point.x);
+        lua_rawseti(L, -2, 1);
+        lua_pushnumber(L, point.y);
+        lua_rawseti(L, -2, 2);
+        lua_rawseti(L, -2, ++item);
+    }
+    return 1;
+}
+
 void add_region(lua_State* L) {
     define<Region>(L, nullptr);
     luaL_getmetatable(L, object_name<Region>);
@@ -174,7 +201,7 @@ void add_values(lua_State* L) {
     add_region(L);
     define<PackingChoice>(L, nullptr);
     define<Signal>(L, nullptr);
-    constexpr std::array<luaL_Reg, 11> functions{
+    constexpr std::array<luaL_Reg, 12> functions{
         {{"material", guarded<material>},
          {"rectangle", guarded<rectangle>},
          {"disc", guarded<disc>},
@@ -185,6 +212,7 @@ void add_values(lua_State* L) {
          {"relaxed", guarded<packing<Relaxation, words::relaxed>>},
          {"disks", guarded<packing<ListedDisks, words::disks>>},
          {"ramp", guarded<ramp>},
+         {"sawtooth", guarded<sawtooth>},
          {nullptr, nullptr}}};
     luaL_setfuncs(L, functions.data(), 0);
 }

@@ -110,6 +110,16 @@ TEST_CASE("cracks are lines with points of their own, and none are a file too", 
     CHECK_THAT(two, ContainsSubstring("NumberOfPoints=\"4\"") && ContainsSubstring("NumberOfCells=\"2\""));
 }
 
+TEST_CASE("walls are lines through points of their own, with names", "[output]") {
+    auto snapshot = three_elements(0.25);
+    snapshot.wall_names = {"floor", "lid"};
+    snapshot.wall_paths = {{{0.0, 0.0}, {1.0, 0.0}, {2.0, 1.0}}, {{0.0, 2.0}, {1.0, 2.0}}};
+    snapshot.wall_fields = {{"force", "N", 2, std::vector<double>{0.0, 1.0, 2.0, 3.0}}};
+    const std::string walls = output::walls_vtu(snapshot);
+    CHECK_THAT(walls, ContainsSubstring("NumberOfPoints=\"5\"") && ContainsSubstring("NumberOfCells=\"2\""));
+    CHECK_THAT(walls, ContainsSubstring("Name=\"name\"") && ContainsSubstring("Name=\"force\""));
+}
+
 TEST_CASE("a field that does not fit its rows is refused by name", "[output]") {
     auto snapshot = three_elements(0.0);
     snapshot.element_fields.push_back({"spin", "rad/s", 1, std::vector<double>{1.0}});
@@ -179,12 +189,12 @@ TEST_CASE("another run's folder is refused, or emptied of that run alone", "[out
     fs::create_directory(scratch / "run");
     for (const char* name :
          {"run/summary.json", "run/elements_000123.vtu", "run/elements.pvd.unfinished", "run/bonds.vtu.series",
-          "run/cracks_000001.vtu", "run/notes.txt", "run/elements_of_style.vtu"}) {
+          "run/cracks_000001.vtu", "run/walls_000001.vtu", "run/notes.txt", "run/elements_of_style.vtu"}) {
         output::replace_file(scratch / name, "old");
     }
     const output::RunFolder careful(scratch / "run", scratch / "x.lua", false);
     CHECK_THAT(refusal(careful), ContainsSubstring("holds another run") && ContainsSubstring("--overwrite"));
-    CHECK(names_in(scratch / "run").size() == 7);
+    CHECK(names_in(scratch / "run").size() == 8);
     output::RunFolder(scratch / "run", scratch / "x.lua", true).open("new");
     CHECK(names_in(scratch / "run") == std::set<std::string>{"scene.lua", "notes.txt", "elements_of_style.vtu"});
 }

@@ -6,9 +6,11 @@
 #include "engine/base/vec2.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace demlua {
@@ -46,7 +48,36 @@ public:
         }
     }
 
+    /// Calls `f(i)` once for every point at most `reach` (m) from the segment from `a` to `b`, and for others near it.
+    template <class F>
+    void for_each_near(Vec2 a, Vec2 b, double reach, const F& f) const {
+        const std::size_t last = cell_at(std::max(a.y, b.y) + reach - origin_.y, rows_);
+        for (std::size_t row = cell_at(std::min(a.y, b.y) - reach - origin_.y, rows_); row <= last; ++row) {
+            const double bottom = origin_.y + static_cast<double>(row) * side_;
+            const auto [left, right] = stretch_between(a, b, bottom - reach, bottom + side_ + reach);
+            const std::size_t first_column = cell_at(left - reach - origin_.x, columns_);
+            const std::size_t last_column = cell_at(right + reach - origin_.x, columns_);
+            const std::size_t end = first_[row * columns_ + last_column + 1];
+            for (std::size_t k = first_[row * columns_ + first_column]; k < end; ++k) f(order_[k]);
+        }
+    }
+
 private:
+    /// The cell in which a coordinate (m from the origin) lies, or the first or last of `count`.
+    [[nodiscard]] std::size_t cell_at(double coordinate, std::size_t count) const {
+        const double most = static_cast<double>(count - 1);
+        return static_cast<std::size_t>(std::clamp(std::floor(coordinate / side_), 0.0, most));
+    }
+
+    /// Least and greatest x of what a segment has between two heights, or of where it comes nearest to them.
+    static std::pair<double, double> stretch_between(Vec2 a, Vec2 b, double bottom, double top) {
+        const double rise = b.y - a.y;
+        if (rise == 0.0) return {std::min(a.x, b.x), std::max(a.x, b.x)};
+        const double one = a.x + std::clamp((bottom - a.y) / rise, 0.0, 1.0) * (b.x - a.x);
+        const double other = a.x + std::clamp((top - a.y) / rise, 0.0, 1.0) * (b.x - a.x);
+        return {std::min(one, other), std::max(one, other)};
+    }
+
     void lay_out(double cell) {
         Box box{{0.0, 0.0}, {0.0, 0.0}};
         if (!points_.empty()) box = {points_.front(), points_.front()};

@@ -1,6 +1,8 @@
 #include "engine/model/check.hpp"
 
 #include "engine/model/check_fracture.hpp"
+#include "engine/model/check_walls.hpp"
+#include "engine/model/findings.hpp"
 #include "engine/model/setting.hpp"
 
 #include <algorithm>
@@ -28,15 +30,6 @@ std::optional<Network> network_of(const Body& body) {
 }
 
 namespace {
-
-/// Problems as they are found, in the order of the scene.
-struct Findings {
-    std::vector<Problem> problems;
-
-    void add(const Place& place, std::string what, std::string value, std::string rule, std::string hint = {}) {
-        problems.push_back({place, std::move(what), std::move(value), std::move(rule), std::move(hint)});
-    }
-};
 
 std::string quoted(const std::string& text) { return '"' + text + '"'; }
 
@@ -155,25 +148,6 @@ void check_selection(const Selection& selection, const std::string& word, const 
     findings.add(place, word, "", "selects nothing: give a body, a side, within or where");
 }
 
-void check_signal(const Signal& signal, const std::string& what, const Place& place, Findings& findings) {
-    for (std::size_t k = 0; k < signal.times.size(); ++k) {
-        if (!std::isfinite(signal.times[k]) || !std::isfinite(signal.values[k])) {
-            findings.add(place, what, "", "times and values must be finite, item " + std::to_string(k + 1) + " is not");
-            return;
-        }
-        if (k > 0 && signal.times[k] <= signal.times[k - 1]) {
-            findings.add(place, what, text_of(signal.times[k]) + " s after " + text_of(signal.times[k - 1]) + " s",
-                         "times must rise");
-            return;
-        }
-    }
-}
-
-void check_signal(const std::optional<Signal>& signal, const std::string& what, const Place& place,
-                  Findings& findings) {
-    if (signal) check_signal(*signal, what, place, findings);
-}
-
 void check_motion(const Motion& motion, Findings& findings) {
     check_selection(motion.selection, "move", motion.place, findings);
     check_signal(motion.velocity_x, "move.velocity_x", motion.place, findings);
@@ -223,19 +197,6 @@ void check_periodic(const Scene& scene, Findings& findings) {
                  "must be the left edge and then the right one");
 }
 
-void check_wall(const Wall& wall, Findings& findings) {
-    if (wall.path.size() < 2) {
-        findings.add(wall.place, "wall.path", "", "must have at least two points");
-    }
-    for (std::size_t k = 1; k < wall.path.size(); ++k) {
-        if (!(wall.path[k] == wall.path[k - 1])) continue;
-        findings.add(wall.place, "wall.path[" + std::to_string(k + 1) + "]", "",
-                     "must differ from the point before it");
-    }
-    check_signal(wall.velocity_x, "wall.velocity_x", wall.place, findings);
-    check_signal(wall.velocity_y, "wall.velocity_y", wall.place, findings);
-}
-
 void check_damping(const Damping& damping, Findings& findings) {
     if (damping.second_fraction && !damping.second_frequency) {
         findings.add(damping.place, "damping.second_frequency", "", "is missing: it goes with second_fraction");
@@ -262,17 +223,6 @@ void check_bond_probe(const BondProbe& probe, const Scene& scene, Findings& find
     if (probe.body >= scene.bodies.size()) return;
     const Body& body = scene.bodies[probe.body];
     if (!network_of(body)) findings.add(probe.place, "bond_probe.body", quoted(body.name), "has no bonds");
-}
-
-/// Results are found by name, so a name must belong to one thing of its kind.
-template <class Named>
-void check_names(const std::vector<Named>& all, const std::string& word, Findings& findings) {
-    std::set<std::string> seen;
-    for (const Named& each : all) {
-        if (!each.name.empty() && !seen.insert(each.name).second) {
-            findings.add(each.place, word + ".name", quoted(each.name), "is already the name of another " + word);
-        }
-    }
 }
 
 double side_of(Vec2 a, Vec2 b, Vec2 point) { return cross(b - a, point - a); }
@@ -336,13 +286,12 @@ std::vector<Problem> check(const Scene& scene, const std::vector<std::string>& m
     for (const Motion& motion : scene.motions) check_motion(motion, findings);
     for (const Force& force : scene.forces) check_force(force, findings);
     for (const Traction& traction : scene.tractions) check_traction(traction, findings);
-    for (const Wall& wall : scene.walls) check_wall(wall, findings);
+    check_walls(scene, findings);
     for (Problem& problem : fracture_problems(scene)) findings.problems.push_back(std::move(problem));
     for (const Damping& damping : scene.dampings) check_damping(damping, findings);
     for (const Probe& probe : scene.probes) check_probe(probe, measurable, findings);
     for (const BondProbe& probe : scene.bond_probes) check_bond_probe(probe, scene, findings);
     check_names(scene.bodies, "body", findings);
-    check_names(scene.walls, "wall", findings);
     check_names(scene.probes, "probe", findings);
     check_names(scene.bond_probes, "bond_probe", findings);
     return std::move(findings.problems);

@@ -156,13 +156,47 @@ struct Traction {
     Place place;
 };
 
+/// Moves a wall along an axis so that it presses with a stress or a force. Positive: the wall presses on what it meets.
+struct Servo {
+    std::optional<Signal> stress_x;  ///< Pa, over the wall's height at the start times thickness
+    std::optional<Signal> stress_y;  ///< Pa, over its width
+    std::optional<Signal> force_x;   ///< N
+    std::optional<Signal> force_y;   ///< N
+    double gain = 0.1;               ///< share of what is missing that a step makes up for
+    std::optional<double> max_speed; ///< m/s; else a tenth of sqrt(stress/density)
+    std::optional<double> travel;    ///< how far it may go without meeting anything; else the extent of all there is, m
+
+    [[nodiscard]] bool along_x() const { return stress_x || force_x; }
+    [[nodiscard]] bool along_y() const { return stress_y || force_y; }
+};
+
 /// A rigid line of segments. Elements meet it from either side.
 struct Wall {
     std::string name;
-    std::vector<Vec2> path;                                    ///< m, at least two points
+    std::vector<Vec2> path; ///< m, at least two points; closed where the last is the first
     double friction = std::numeric_limits<double>::infinity(); ///< the smaller of wall's and element's counts
     std::optional<Signal> velocity_x;                          ///< m/s
     std::optional<Signal> velocity_y;                          ///< m/s
+    std::optional<Signal> spin;                                ///< rad/s, about `centre`
+    std::optional<Vec2> centre; ///< at the start, moves with the wall; else the middle, m
+    std::optional<Servo> servo;
+    bool stop = false; ///< said of a wall that moves: all of its motion ends
+    Place place;
+};
+
+/// A rigid figure with mass, bounded by a closed path that elements meet. It moves freely in every way that no signal gives.
+struct Outline {
+    std::string name;
+    std::size_t material = 0;                                  ///< row of Scene::materials
+    std::vector<Vec2> path;                                    ///< its corners, m; or else
+    Region region;                                             ///< of straight sides, without holes
+    Vec2 velocity;                                             ///< at the start, m/s
+    double spin = 0.0;                                         ///< at the start, about the centre of mass, rad/s
+    double friction = std::numeric_limits<double>::infinity(); ///< the smaller of outline's and element's counts
+    std::optional<Signal> given_x;                             ///< m/s
+    std::optional<Signal> given_y;                             ///< m/s
+    std::optional<Signal> given_spin;                          ///< rad/s
+    bool let_go = false; ///< said of an outline that is moved: what is not given now is free again
     Place place;
 };
 
@@ -253,6 +287,7 @@ struct Scene {
     std::vector<Force> forces;
     std::vector<Traction> tractions;
     std::vector<Wall> walls;
+    std::vector<Outline> outlines;
     std::vector<Notch> notches;
     std::vector<Damping> dampings; ///< the last one counts
     std::vector<Probe> probes;

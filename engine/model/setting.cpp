@@ -53,6 +53,9 @@ Kind kind(const PackingChoice* /*v*/) {
     return {"a packing: dem.close_packed, dem.consolidated, dem.relaxed or dem.disks", "dem.packing"};
 }
 Kind kind(const BondChoice* /*v*/) { return {"a bond law, such as dem.plateau {}", "dem.bonds"}; }
+Kind kind(const std::optional<Servo>* /*v*/) {
+    return {"a table such as { stress_y = 100e3 }", "dem.wall_servo_settings"};
+}
 Kind kind(const Selection* /*v*/) {
     return {"a body, a side of a body, a region, a function of place, or a table of these such as "
             "{ beam, within = region }",

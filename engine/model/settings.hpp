@@ -46,6 +46,12 @@ struct RampSaid {
     double from = 0.0;
     std::optional<double> start;
 };
+struct SawtoothSaid {
+    Vec2 from;
+    Vec2 to;
+    double height = 0.0;
+    double pitch = 0.0;
+};
 struct HistorySaid {
     double every = 0.0;
 };
@@ -111,8 +117,12 @@ const WordOf<Motion>& move();
 const WordOf<Force>& force();
 const WordOf<Traction>& traction();
 const WordOf<RampSaid>& ramp();
+const WordOf<SawtoothSaid>& sawtooth();
 const WordOf<Wall>& wall();
+const WordOf<Servo>& servo();
 const WordOf<Wall>& wall_move();
+const WordOf<Outline>& outline();
+const WordOf<Outline>& outline_move();
 const WordOf<Notch>& notch();
 const WordOf<Damping>& damping();
 const WordOf<Probe>& probe();

@@ -89,31 +89,6 @@ const WordOf<RampSaid>& ramp() {
     return made;
 }
 
-const WordOf<Wall>& wall() {
-    static const WordOf<Wall> made =
-        word<Wall>("sim:wall", "A rigid line of segments that elements meet from either side.", "a wall",
-                   R"(local floor = sim:wall { name = "floor", path = { { -1, 0 }, { 1, 0 } }, friction = 0.5 })",
-                   {
-                       row<&Wall::name>("name", required, "as results call it: now.wall.NAME"),
-                       row<&Wall::path>("path", "m", required, any, "its points in order, at least two"),
-                       row<&Wall::friction>("friction", "", optional, non_negative,
-                                            "Coulomb coefficient; without it the element's counts"),
-                       pair<&Wall::velocity_x, &Wall::velocity_y>("velocity", "m/s", "how it moves; else it stands"),
-                       row<&Wall::velocity_x>("velocity_x", "m/s", optional, any, "along x"),
-                       row<&Wall::velocity_y>("velocity_y", "m/s", optional, any, "along y"),
-                   });
-    return made;
-}
-
-const WordOf<Wall>& wall_move() {
-    static const WordOf<Wall> made =
-        word<Wall>("wall:move", "Changes how a wall moves, from now on.", "", "floor:move { velocity = { 0.05, 0 } }",
-                   {pair<&Wall::velocity_x, &Wall::velocity_y>("velocity", "m/s", "both components"),
-                    row<&Wall::velocity_x>("velocity_x", "m/s", optional, any, "along x"),
-                    row<&Wall::velocity_y>("velocity_y", "m/s", optional, any, "along y")});
-    return made;
-}
-
 const WordOf<Notch>& notch() {
     static const WordOf<Notch> made =
         word<Notch>("sim:notch", "A straight cut: bonds that cross it are broken before the run.", "",
@@ -290,8 +265,12 @@ const std::vector<const Word*>& all_words() {
                                                 &words::force(),
                                                 &words::traction(),
                                                 &words::ramp(),
+                                                &words::sawtooth(),
                                                 &words::wall(),
+                                                &words::servo(),
                                                 &words::wall_move(),
+                                                &words::outline(),
+                                                &words::outline_move(),
                                                 &words::notch(),
                                                 &words::damping(),
                                                 &words::probe(),

@@ -11,12 +11,14 @@ struct Fingerprint {
     std::uint64_t value = 14695981039346656037ULL;
 
     template <class T>
+    void add(const T& entry) {
+        unsigned char bytes[sizeof(T)];
+        std::memcpy(&bytes[0], &entry, sizeof(T));
+        for (const unsigned char byte : bytes) value = (value ^ byte) * 1099511628211ULL;
+    }
+    template <class T>
     void add(const Column<T>& column) {
-        for (const T& entry : column) {
-            unsigned char bytes[sizeof(T)];
-            std::memcpy(&bytes[0], &entry, sizeof(T));
-            for (const unsigned char byte : bytes) value = (value ^ byte) * 1099511628211ULL;
-        }
+        for (const T& entry : column) add(entry);
     }
 };
 
@@ -31,6 +33,14 @@ std::uint64_t hash_of(const state::State& state) {
     }
     for (const state::AnyBondSet& any : state.bond_sets) {
         std::visit([&](const auto& bonds) { print.add(bonds.broken); }, any);
+    }
+    for (const state::Wall& wall : state.walls) {
+        for (const Vec2 each : {wall.offset, wall.velocity}) {
+            print.add(each.x);
+            print.add(each.y);
+        }
+        print.add(wall.rotation);
+        print.add(wall.spin);
     }
     return print.value;
 }

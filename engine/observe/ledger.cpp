@@ -38,6 +38,13 @@ Motion motion_energy(const state::State& state) {
         sum.add(state, rigid.velocity.y, rigid.force.y, rigid.mass);
         sum.add(state, rigid.spin, rigid.moment, rigid.inertia);
     }
+    // Outlines, in the ways in which they are free.
+    for (const state::Wall& wall : state.walls) {
+        const Vec2 force = wall.force + wall.weight(state.gravity);
+        if (wall.free_x()) sum.add(state, wall.velocity.x, force.x, wall.matter->mass);
+        if (wall.free_y()) sum.add(state, wall.velocity.y, force.y, wall.matter->mass);
+        if (wall.free_to_turn()) sum.add(state, wall.spin, wall.moment, wall.matter->inertia);
+    }
     return sum;
 }
 
@@ -97,6 +104,7 @@ double gravity_energy(const state::State& state) {
     for (const state::RigidBody& rigid : state.rigid_bodies) {
         sum -= rigid.mass * dot(state.gravity, rigid.displacement);
     }
+    for (const state::Wall& wall : state.walls) sum -= dot(wall.weight(state.gravity), wall.offset);
     return sum;
 }
 
@@ -132,9 +140,7 @@ Ledger ledger_of(const state::State& state) {
     add_contacts(
         state.wall_contacts,
         [&](std::size_t c) {
-            const std::size_t body = state.elements.body[state.wall_contacts.element[c]];
-            const law::ContactStiffness& k = state.materials[state.bodies[body].material].stiffness;
-            return law::Coulomb::Params{k.normal, k.shear, 0.0};
+            return state::wall_rule(state, state.wall_contacts.wall[c], state.wall_contacts.element[c]).params;
         },
         ledger);
     add_rolling(state.contacts.rolling, ledger);
@@ -171,6 +177,11 @@ Momentum momentum_of(const state::State& state) {
         add(rigid.mass, rigid.inertia, rigid.middle(),
             {now(rigid.velocity.x, rigid.force.x, rigid.mass), now(rigid.velocity.y, rigid.force.y, rigid.mass)},
             now(rigid.spin, rigid.moment, rigid.inertia));
+    }
+    for (std::size_t row = 0; row < state.walls.size(); ++row) {
+        if (!state.walls[row].matter) continue;
+        const WallMotion wall = motion_of_wall(state, row);
+        add(wall.mass, wall.inertia, wall.position, wall.velocity, wall.spin);
     }
     return sum;
 }

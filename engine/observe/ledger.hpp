@@ -19,6 +19,11 @@ Momentum momentum_of(const state::State& state);
 
 BodyMotion motion_of_body(const state::State& state, std::size_t body);
 
+WallMotion motion_of_wall(const state::State& state, std::size_t wall);
+
+/// Walls and outlines with what they do.
+void add_walls_to(Snapshot& snapshot, const state::State& state);
+
 /// Velocity at the instant itself, m/s.
 Vec2 velocity_now(const state::State& state, std::size_t element);
 

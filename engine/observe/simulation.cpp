@@ -12,12 +12,14 @@
 #include "engine/state/loading.hpp"
 #include "engine/state/parts.hpp"
 #include "engine/state/selection.hpp"
+#include "engine/state/wall_assembly.hpp"
 #include "engine/step/loads.hpp"
 #include "engine/step/quasi_static.hpp"
 #include "engine/step/real_moduli.hpp"
 #include "engine/step/static_solve.hpp"
 #include "engine/step/step.hpp"
 #include "engine/step/time_step.hpp"
+#include "engine/step/wall_start.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -141,6 +143,8 @@ Simulation::Simulation(const model::Scene& scene, int threads, const packing::Pa
     check_period();
     take_in(scene);
     step::refresh_contacts(*state_, inside_->stepper.search);
+    std::vector<Problem> problems = step::elements_across_walls(scene, *state_);
+    if (!problems.empty()) throw SceneError(std::move(problems));
     prepare({});
 }
 
@@ -169,11 +173,14 @@ void Simulation::add_drives(std::vector<std::size_t>& rows, std::vector<state::D
 
 void Simulation::take_in(const model::Scene& scene) {
     Taken& taken = inside_->taken;
-    if (scene.bodies.size() != state_->bodies.size() || scene.walls.size() != state_->walls.size()) {
-        const Place& place =
-            scene.bodies.size() != state_->bodies.size() ? scene.bodies.back().place : scene.walls.back().place;
-        throw SceneError(Problem{place, "body or wall", "", "must be said before the first run", ""});
-    }
+    const model::Scene& assembled = inside_->scene;
+    const auto refuse_more = [](const auto& rows, const auto& known, const char* word) {
+        if (rows.size() == known.size()) return;
+        throw SceneError(Problem{rows.back().place, word, "", "must be said before the first run", ""});
+    };
+    refuse_more(scene.bodies, assembled.bodies, "body");
+    refuse_more(scene.walls, assembled.walls, "wall");
+    refuse_more(scene.outlines, assembled.outlines, "outline");
     std::vector<Problem> problems;
     const auto attempt = [&](const auto& work) {
         try {
@@ -278,9 +285,15 @@ void Simulation::replace_motion(std::size_t row, const model::Motion& motion) {
     add_drives(moved.drives, state::drives_of(motion, moved.elements, *state_));
 }
 
-void Simulation::set_wall_velocity(std::size_t wall, const Signal& x, const Signal& y) {
-    state_->walls.at(wall).velocity_x = x;
-    state_->walls.at(wall).velocity_y = y;
+void Simulation::replace_wall(std::size_t row, const model::Wall& wall) {
+    state::set_motion(wall, *state_, state_->walls.at(row));
+}
+
+void Simulation::replace_outline(std::size_t row, const model::Outline& outline) {
+    const double before = balance(ledger_of(*state_));
+    state::set_motion(outline, state_->walls.at(inside_->scene.walls.size() + row));
+    // What moves as it is told keeps no account of its own motion.
+    state_->booked.walls += balance(ledger_of(*state_)) - before;
 }
 
 void Simulation::set_velocity(const model::Selection& selection, Vec2 velocity) {
@@ -498,6 +511,7 @@ Ledger Simulation::ledger() const {
 Momentum Simulation::momentum() const { return momentum_of(*state_); }
 BodyMotion Simulation::body_motion(std::size_t body) const { return motion_of_body(*state_, body); }
 Vec2 Simulation::wall_force(std::size_t wall) const { return state_->walls.at(wall).force; }
+WallMotion Simulation::wall_motion(std::size_t wall) const { return motion_of_wall(*state_, wall); }
 
 Snapshot Simulation::snapshot() const {
     Snapshot snapshot;
@@ -511,6 +525,7 @@ Snapshot Simulation::snapshot() const {
     }
     add_bonds_to(snapshot, *state_);
     add_cracks_to(snapshot, *state_);
+    add_walls_to(snapshot, *state_);
     if (state_->period.repeats()) bring_inside(snapshot, *state_);
     if (!state_->gone.empty()) leave_out_gone(snapshot, *state_);
     return snapshot;

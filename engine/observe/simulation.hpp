@@ -87,7 +87,8 @@ public:
     void replace_force(std::size_t row, const model::Force& force);
     void replace_traction(std::size_t row, const model::Traction& traction);
     void replace_motion(std::size_t row, const model::Motion& motion);
-    void set_wall_velocity(std::size_t wall, const Signal& x, const Signal& y);
+    void replace_wall(std::size_t row, const model::Wall& wall);
+    void replace_outline(std::size_t row, const model::Outline& outline);
     void set_velocity(const model::Selection& selection, Vec2 velocity);
 
     // --- looking ---------------------------------------------------------------------------------------------------
@@ -110,7 +111,8 @@ public:
     [[nodiscard]] Ledger ledger() const;
     [[nodiscard]] Momentum momentum() const;
     [[nodiscard]] BodyMotion body_motion(std::size_t body) const;
-    [[nodiscard]] Vec2 wall_force(std::size_t wall) const; ///< on the wall, N
+    [[nodiscard]] Vec2 wall_force(std::size_t wall) const;        ///< on the wall, N
+    [[nodiscard]] WallMotion wall_motion(std::size_t wall) const; ///< walls in the scene's order, then outlines
     [[nodiscard]] Snapshot snapshot() const;
     /// Names: those of element fields of the snapshot; components by suffix (_x, _y, _xx, _yy, _xy). Empty selection:
     /// all elements. Throws SceneError for an unknown name, listing the known ones.

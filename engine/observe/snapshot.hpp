@@ -21,8 +21,8 @@ struct Field {
     std::variant<std::vector<double>, std::vector<std::int32_t>> values;
 };
 
-/// Elements as points with fields, bonds as lines between them with fields of their own, and the pieces of crack where
-/// bonds have broken. A field that the scene has no use for is not there. Elements stand in the order of their ids.
+/// Elements as points with fields, bonds as lines between them with fields of their own, the pieces of crack where bonds
+/// have broken, and walls. A field that the scene has no use for is not there. Elements stand in the order of their ids.
 struct Snapshot {
     double time = 0.0; ///< s
     std::uint64_t step = 0;
@@ -32,6 +32,9 @@ struct Snapshot {
     std::vector<Field> bond_fields;
     std::vector<std::array<Vec2, 2>> crack_ends; ///< where they broke, in the order of breaking, m
     std::vector<Field> crack_fields;             ///< none when no bond can break
+    std::vector<std::string> wall_names;         ///< walls, then outlines
+    std::vector<std::vector<Vec2>> wall_paths;   ///< a closed one ends where it began, m
+    std::vector<Field> wall_fields;              ///< none without walls
 };
 
 /// Where the energy is and where it went, joules. Stored energies are what is there now; the others have been summed
@@ -64,6 +67,20 @@ struct BodyMotion {
     Vec2 velocity;     ///< of the centre of mass, m/s
     double spin = 0.0; ///< angular momentum about the centre over moment of inertia, rad/s
     Box extent;        ///< of its disks, m
+};
+
+/// Motion of a wall or an outline, and what elements do to it.
+struct WallMotion {
+    Vec2 position;       ///< of the point it turns about, of an outline the centre of mass, m
+    Vec2 velocity;       ///< m/s
+    double angle = 0.0;  ///< turned since the start, rad
+    double spin = 0.0;   ///< rad/s
+    Vec2 force;          ///< of the elements on it, N
+    double moment = 0.0; ///< likewise, about `position`, N m
+    Vec2
+        stress; ///< with which it presses on what it meets: over its height along x and its width along y, Pa; 0 without
+    double mass = 0.0;    ///< of an outline, kg
+    double inertia = 0.0; ///< of an outline, about its centre of mass, kg m^2
 };
 
 /// One line of the history: names and values in the order of the columns.

@@ -47,14 +47,10 @@ std::vector<double> stress_of_elements(const state::State& state) {
     add_pairs(state.contacts, elements, state.period, stress);
     for (std::size_t c = 0; c < state.wall_contacts.size(); ++c) {
         const std::size_t e = state.wall_contacts.element[c];
+        if (state.wall_contacts.overlap[c] <= 0.0) continue;
         const step::WallGap gap =
             step::wall_gap(state.walls[state.wall_contacts.wall[c]], state.wall_contacts.part[c], elements.position(e));
-        const state::ContactHistory history = state.wall_contacts.history.at(c);
-        const law::ContactStiffness& k = state.materials[state.bodies[elements.body[e]].material].stiffness;
-        const double overlap = state.wall_contacts.overlap[c];
-        if (overlap <= 0.0) continue;
-        const Vec2 f = (k.normal * overlap + history.damping) * gap.normal - history.force * turned_left(gap.normal);
-        stress[e].add(f, -gap.distance * gap.normal);
+        stress[e].add({state.wall_contacts.fx[c], state.wall_contacts.fy[c]}, -gap.distance * gap.normal);
     }
     std::vector<double> components;
     components.reserve(3 * elements.size());

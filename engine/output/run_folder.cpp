@@ -29,7 +29,7 @@ bool holds_run(const fs::path& folder) {
     for (const auto mark : marks) {
         if (fs::exists(folder / mark)) return true;
     }
-    for (const auto series : {names::elements, names::bonds, names::cracks}) {
+    for (const auto series : {names::elements, names::bonds, names::cracks, names::walls}) {
         if (fs::exists(folder / fmt::format("{}.pvd", series))) return true;
     }
     return false;
@@ -60,7 +60,7 @@ bool same_file(const fs::path& a, const fs::path& b) {
 
 bool written_by_a_run(const std::string& name) {
     static const std::regex pattern(
-        R"((scene\.lua|run\.log|history\.csv|summary\.json|(elements|bonds|cracks)(_[0-9]{6,}\.vtu|\.pvd|\.vtu\.series))(\.unfinished)?)");
+        R"((scene\.lua|run\.log|history\.csv|summary\.json|(elements|bonds|cracks|walls)(_[0-9]{6,}\.vtu|\.pvd|\.vtu\.series))(\.unfinished)?)");
     return std::regex_match(name, pattern);
 }
 

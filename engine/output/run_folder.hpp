@@ -16,6 +16,7 @@ inline constexpr std::string_view summary = "summary.json";
 inline constexpr std::string_view elements = "elements";
 inline constexpr std::string_view bonds = "bonds";
 inline constexpr std::string_view cracks = "cracks";
+inline constexpr std::string_view walls = "walls";
 } // namespace names
 
 class RunFolder {

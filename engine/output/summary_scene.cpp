@@ -106,8 +106,9 @@ Json seeds_json(const model::Scene& scene) {
 Json counts_json(const model::Scene& scene) {
     return {{"supports", scene.supports.size()}, {"motions", scene.motions.size()},
             {"forces", scene.forces.size()},     {"tractions", scene.tractions.size()},
-            {"walls", scene.walls.size()},       {"notches", scene.notches.size()},
-            {"probes", scene.probes.size()},     {"bond_probes", scene.bond_probes.size()}};
+            {"walls", scene.walls.size()},       {"outlines", scene.outlines.size()},
+            {"notches", scene.notches.size()},   {"probes", scene.probes.size()},
+            {"bond_probes", scene.bond_probes.size()}};
 }
 
 const char* name_of(model::StepRule rule) {

@@ -16,6 +16,7 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkSmartPointer.h>
+#include <vtkStringArray.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkVersion.h>
 #include <vtkXMLUnstructuredGridWriter.h>
@@ -172,6 +173,28 @@ std::string cracks_vtu(const Snapshot& snapshot) {
     add_points(*grid, points);
     add_cells(*grid, VTK_LINE, snapshot.crack_ends.size(), 2, [](std::size_t k) { return k; });
     add_fields(*grid->GetCellData(), snapshot.crack_fields, snapshot.crack_ends.size());
+    add_time(*grid, snapshot);
+    return text_of(*grid);
+}
+
+std::string walls_vtu(const Snapshot& snapshot) {
+    vtkNew<vtkUnstructuredGrid> grid;
+    std::vector<Vec2> points;
+    vtkNew<vtkCellArray> cells;
+    for (const std::vector<Vec2>& path : snapshot.wall_paths) {
+        cells->InsertNextCell(static_cast<int>(path.size()));
+        for (const Vec2 point : path) {
+            cells->InsertCellPoint(static_cast<vtkIdType>(points.size()));
+            points.push_back(point);
+        }
+    }
+    add_points(*grid, points);
+    grid->SetCells(VTK_POLY_LINE, cells);
+    vtkNew<vtkStringArray> names;
+    names->SetName("name");
+    for (const std::string& name : snapshot.wall_names) names->InsertNextValue(name);
+    grid->GetCellData()->AddArray(names);
+    add_fields(*grid->GetCellData(), snapshot.wall_fields, snapshot.wall_paths.size());
     add_time(*grid, snapshot);
     return text_of(*grid);
 }

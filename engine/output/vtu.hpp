@@ -18,6 +18,9 @@ std::string bonds_vtu(const observe::Snapshot& snapshot);
 /// Pieces of crack as lines with points of their own, and the crack fields as cell data; else the same.
 std::string cracks_vtu(const observe::Snapshot& snapshot);
 
+/// Walls as one line each through points of their own, with their names and the wall fields as cell data; else the same.
+std::string walls_vtu(const observe::Snapshot& snapshot);
+
 /// The VTK this program was linked with, e.g. "9.1.0".
 std::string vtk_version();
 

@@ -31,7 +31,8 @@ std::string stamped(std::chrono::system_clock::time_point when, const std::strin
 
 Writer::Writer(const RunFolder& folder)
     : folder_(folder), elements_(folder.path(), names::elements), bonds_(folder.path(), names::bonds),
-      cracks_(folder.path(), names::cracks), log_(folder.file(names::log)), thread_([this] { work(); }) {}
+      cracks_(folder.path(), names::cracks), walls_(folder.path(), names::walls), log_(folder.file(names::log)),
+      thread_([this] { work(); }) {}
 
 Writer::~Writer() {
     {
@@ -120,6 +121,7 @@ void Writer::write(const observe::Snapshot& snapshot) {
     elements_.add(snapshot.time, elements_vtu(snapshot));
     if (!snapshot.bond_ends.empty()) bonds_.add(snapshot.time, bonds_vtu(snapshot));
     if (!snapshot.crack_fields.empty()) cracks_.add(snapshot.time, cracks_vtu(snapshot));
+    if (!snapshot.wall_fields.empty()) walls_.add(snapshot.time, walls_vtu(snapshot));
 }
 
 void Writer::write(const observe::HistoryRow& row) {

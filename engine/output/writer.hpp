@@ -51,6 +51,8 @@ public:
     [[nodiscard]] bool has_bonds() const { return bonds_.size() > 0; }
     /// Whether there is a series of cracks, be there any or not; after drain().
     [[nodiscard]] bool has_cracks() const { return cracks_.size() > 0; }
+    /// Whether there is a series of walls; after drain().
+    [[nodiscard]] bool has_walls() const { return walls_.size() > 0; }
 
 private:
     struct LogLine {
@@ -72,6 +74,7 @@ private:
     Series elements_;
     Series bonds_;
     Series cracks_;
+    Series walls_;
     TextFile log_;
     std::optional<HistoryFile> history_;
     double busy_time_ = 0.0;

@@ -8,6 +8,7 @@
 #include "engine/packing/packing.hpp"
 #include "engine/state/bond_assembly.hpp"
 #include "engine/state/parts.hpp"
+#include "engine/state/wall_assembly.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -233,18 +234,6 @@ std::vector<Problem> overlapping_bodies(const model::Scene& scene, const State& 
         }
     }
     return problems;
-}
-
-void lay_out_walls(const model::Scene& scene, State& state) {
-    for (const model::Wall& said : scene.walls) {
-        Wall wall;
-        wall.name = said.name;
-        wall.path = said.path;
-        wall.friction = said.friction;
-        if (said.velocity_x) wall.velocity_x = *said.velocity_x;
-        if (said.velocity_y) wall.velocity_y = *said.velocity_y;
-        state.walls.push_back(std::move(wall));
-    }
 }
 
 void lay_out_materials(const model::Scene& scene, State& state) {

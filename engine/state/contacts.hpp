@@ -1,9 +1,7 @@
-// Pairs of elements that are not bonded and near enough to touch before the next search, and elements near walls.
+// Pairs of elements that are not bonded and near enough to touch before the next search.
 #pragma once
 
 #include "engine/base/column.hpp"
-#include "engine/base/signal.hpp"
-#include "engine/base/vec2.hpp"
 #include "engine/law/coulomb.hpp"
 #include "engine/law/rolling.hpp"
 #include "engine/state/bonds.hpp"
@@ -11,8 +9,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
-#include <string>
 #include <vector>
 
 namespace demlua::state {
@@ -62,30 +58,6 @@ struct Contacts {
     SpentInContacts spent;
 
     [[nodiscard]] std::size_t size() const { return i.size(); }
-};
-
-/// A rigid line. `offset` is how far it has moved.
-struct Wall {
-    std::string name;
-    std::vector<Vec2> path; ///< at the start, m
-    double friction = 0.0;
-    Signal velocity_x = Signal::constant(0.0); ///< m/s
-    Signal velocity_y = Signal::constant(0.0);
-    Vec2 offset;   ///< m
-    Vec2 velocity; ///< of the half step before the present instant, m/s
-    Vec2 force;    ///< of the elements on the wall, N
-};
-
-/// A part of a wall an element can touch: point k of its path (2k), or the segment from there to the next (2k + 1).
-/// Rows in rising order of (wall, element, part).
-struct WallContacts {
-    Column<Index> wall, element, part;
-    Column<double> Cn, Ct;
-    Column<double> overlap;
-    HistoryColumns<ContactHistory> history;
-    SpentInContacts spent;
-
-    [[nodiscard]] std::size_t size() const { return wall.size(); }
 };
 
 } // namespace demlua::state

@@ -5,6 +5,7 @@
 #include "engine/state/contacts.hpp"
 #include "engine/state/cracks.hpp"
 #include "engine/state/elements.hpp"
+#include "engine/state/walls.hpp"
 #include "engine/state/wear.hpp"
 
 #include "engine/base/period.hpp"
@@ -142,5 +143,10 @@ struct State {
         return {rigid_members.data() + rigid.first, rigid.last - rigid.first};
     }
 };
+
+/// Law of the contacts of an element with a wall.
+inline const PairRule& wall_rule(const State& state, std::size_t wall, std::size_t element) {
+    return state.walls[wall].rules[state.bodies[state.elements.body[element]].material];
+}
 
 } // namespace demlua::state

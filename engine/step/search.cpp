@@ -1,7 +1,7 @@
 #include "engine/step/search.hpp"
 
 #include "engine/state/incidence.hpp"
-#include "engine/step/wall_parts.hpp"
+#include "engine/step/wall_search.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -222,7 +222,7 @@ Search start_search(const state::State& state) {
 
 void refresh_contacts(state::State& state, Search& search) {
     refresh_pairs(state, search);
-    refresh_wall_contacts(state, search.skin);
+    refresh_wall_contacts(state, search.skin, search.grid);
     search.travelled = 0.0;
     ++search.searches;
 }

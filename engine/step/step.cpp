@@ -10,7 +10,8 @@
 #include "engine/step/rigid_motion.hpp"
 #include "engine/step/stretch_rates.hpp"
 #include "engine/step/waking.hpp"
-#include "engine/step/wall_parts.hpp"
+#include "engine/step/wall_forces.hpp"
+#include "engine/step/wall_motion.hpp"
 #include "engine/step/wear.hpp"
 
 #include <algorithm>
@@ -106,12 +107,6 @@ void check_drift(const state::State& state, const Drift& drift, double greatest_
                                elements.radius[k], state.dt));
 }
 
-double wall_travel(const state::State& state) {
-    double farthest = 0.0;
-    for (const state::Wall& wall : state.walls) farthest = std::max(farthest, state.dt * norm(wall.velocity));
-    return farthest;
-}
-
 } // namespace
 
 Stepper::Stepper(Team& threads, const state::State& state, double greatest_share)
@@ -143,7 +138,7 @@ void add_forces(state::State& state, Stepper& stepper) {
                    [&] { std::visit([&](auto& bonds) { compute_bonds(state, stepper, bonds); }, any); });
     }
     if (state.contacts.size() > 0) clock.time(step, Stage::contacts, [&] { compute_contacts(state, stepper); });
-    if (!state.walls.empty()) clock.time(step, Stage::walls, [&] { wall_forces(state); });
+    if (!state.walls.empty()) clock.time(step, Stage::walls, [&] { wall_forces(state, stepper.team); });
     if (!state.loads.empty()) clock.time(step, Stage::loads, [&] { add_loads(state); });
     if (!state.rigid_bodies.empty()) clock.time(step, Stage::rigid, [&] { gather_rigid(state, stepper.team); });
 }
@@ -156,14 +151,15 @@ void advance(state::State& state, Stepper& stepper) {
     clock.time(step, Stage::motion,
                [&] { moved = move_elements(state, stepper.limit, *stepper.kernels, stepper.team); });
     if (!state.rigid_bodies.empty()) moved.join(move_rigid(state, stepper.limit.share, stepper.team));
-    if (!state.walls.empty()) move_walls(state);
     check_drift(state, moved, stepper.limit.share);
+    if (!state.walls.empty()) moved.farthest = std::max(moved.farthest, move_walls(state, stepper.limit));
     if (driven) book_work(state);
-    stepper.search.travelled += std::max(moved.farthest, wall_travel(state));
+    stepper.search.travelled += moved.farthest;
     ++state.step;
     state.time += state.dt;
 
     add_forces(state, stepper);
+    if (!state.walls.empty()) book_wall_work(state);
     if (!state.drives.empty()) apply_drives(state);
     if (driven) book_work(state);
 }
@@ -195,6 +191,12 @@ void change_step(state::State& state, double dt) {
                           shifted(rigid.velocity.y, rigid.force.y, 1.0 / rigid.mass)};
         rigid.spin = shifted(rigid.spin, rigid.moment, 1.0 / rigid.inertia);
     }
+    for (state::Wall& wall : state.walls) {
+        const Vec2 force = wall.force + wall.weight(state.gravity);
+        if (wall.free_x()) wall.velocity.x = shifted(wall.velocity.x, force.x, 1.0 / wall.matter->mass);
+        if (wall.free_y()) wall.velocity.y = shifted(wall.velocity.y, force.y, 1.0 / wall.matter->mass);
+        if (wall.free_to_turn()) wall.spin = shifted(wall.spin, wall.moment, 1.0 / wall.matter->inertia);
+    }
 }
 
 std::string schedule_line(const state::State& state) {
@@ -222,7 +224,10 @@ std::string schedule_line(const state::State& state) {
     stage(state.wear.present(), "wear", "wear");
     stage(state.period.repeats(), "periodic x", "periodic x");
     stage(!state.gone.empty(), "removal", "removal");
-    stage(!state.walls.empty(), fmt::format("walls[{}]", state.walls.size()), "walls");
+    std::size_t outlines = 0;
+    for (const state::Wall& wall : state.walls) outlines += wall.matter ? 1 : 0;
+    stage(state.walls.size() > outlines, fmt::format("walls[{}]", state.walls.size() - outlines), "walls");
+    stage(outlines > 0, fmt::format("outlines[{}]", outlines), "outlines");
     stage(!state.loads.empty(), fmt::format("loads[{}]", state.loads.size()), "loads");
     stage(!state.drives.empty(), fmt::format("supports and given motions[{}]", state.drives.size()),
           "supports and given motions");

@@ -2,6 +2,7 @@
 
 #include "engine/law/stable_step.hpp"
 #include "engine/step/lanczos.hpp"
+#include "engine/step/outline_bound.hpp"
 #include "engine/step/pair_bound.hpp"
 #include "engine/step/springs.hpp"
 
@@ -79,6 +80,12 @@ struct Found {
     std::string reason = "nothing stiff: no bound";
 };
 
+/// The tighter of what the elements and what the outlines allow.
+Found with_outlines(const state::State& state, Found elements) {
+    const Tightest outlines = bound_of_outlines(state);
+    return outlines.step < elements.step ? Found{outlines.step, outlines.why} : std::move(elements);
+}
+
 Found bound_found(const state::State& state) {
     const Facts facts = facts_of(state);
     Tightest tightest;
@@ -88,9 +95,10 @@ Found bound_found(const state::State& state) {
     });
     const Tightest rigid = bound_of_rigid(state, facts);
     tightest.offer(rigid.step, rigid.at, rigid.why);
-    if (!std::isfinite(tightest.step)) return {};
-    return {tightest.step, fmt::format("pair-energy bound, tightest at element {} of {} with {}", tightest.at,
-                                       state.bodies[state.elements.body[tightest.at]].name, tightest.why)};
+    if (!std::isfinite(tightest.step)) return with_outlines(state, {});
+    return with_outlines(
+        state, {tightest.step, fmt::format("pair-energy bound, tightest at element {} of {} with {}", tightest.at,
+                                           state.bodies[state.elements.body[tightest.at]].name, tightest.why)});
 }
 
 Found sharp_found(const state::State& state) {
@@ -113,8 +121,8 @@ Found sharp_found(const state::State& state) {
     tightest.offer(rigid.step, 0,
                    fmt::format("pair-energy bound, tightest at element {} of {} with {}", rigid.at,
                                state.bodies[state.elements.body[rigid.at]].name, rigid.why));
-    if (!std::isfinite(tightest.step)) return {};
-    return {tightest.step, tightest.why};
+    if (!std::isfinite(tightest.step)) return with_outlines(state, {});
+    return with_outlines(state, {tightest.step, tightest.why});
 }
 
 struct PaperStep {

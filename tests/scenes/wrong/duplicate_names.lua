@@ -6,4 +6,4 @@ sim:body { name = "beam", material = concrete, packing = dem.disks { { 5, 5, 1 }
 sim:wall { name = "floor", path = { { 0, 0 }, { 1, 0 } } }
 sim:wall { name = "floor", path = { { 0, 0 }, { 1, 0 } } }
 -->:5: body.name = "beam": is already the name of another body
--->:7: wall.name = "floor": is already the name of another wall
+-->:7: wall.name = "floor": is already the name of another wall or outline

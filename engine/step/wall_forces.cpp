@@ -1,0 +1,100 @@
+#include "engine/step/wall_forces.hpp"
+
+#include "engine/base/problems.hpp"
+#include "engine/step/wall_parts.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <limits>
+#include <vector>
+
+namespace demlua::step {
+
+namespace {
+
+constexpr std::size_t no_row = std::numeric_limits<std::size_t>::max();
+
+void release(state::WallContacts& contacts, std::size_t c) {
+    contacts.fx[c] = contacts.fy[c] = contacts.moment[c] = contacts.turning[c] = 0.0;
+}
+
+bool at_rest(const state::ContactHistory& history) { return history.force == 0.0 && history.damping == 0.0; }
+
+/// Fills the forces of one row; whether its element still has room.
+bool press(state::State& state, std::size_t c) {
+    state::WallContacts& contacts = state.wall_contacts;
+    const state::Elements& elements = state.elements;
+    const state::Wall& wall = state.walls[contacts.wall[c]];
+    const std::size_t e = contacts.element[c];
+    const Vec2 centre = elements.position(e);
+    const WallGap gap = wall_gap(wall, contacts.part[c], centre);
+    const double overlap = gap.meets ? elements.radius[e] - gap.distance : 0.0;
+    contacts.overlap[c] = overlap;
+    state::ContactHistory history = contacts.history.at(c);
+    if (overlap <= 0.0 && at_rest(history)) {
+        release(contacts, c);
+        return true;
+    }
+    const Vec2 tangent = turned_left(gap.normal);
+    const Vec2 foot = centre - gap.distance * gap.normal;
+    const Vec2 v = elements.velocity(e) - wall.velocity_at(foot);
+    const law::Coulomb::Input<double> in{overlap, -dot(v, gap.normal),
+                                         dot(v, tangent) - gap.distance * elements.spin[e], contacts.Cn[c],
+                                         contacts.Ct[c]};
+    const auto force =
+        law::Coulomb::respond(state::wall_rule(state, contacts.wall[c], e).params, in, state.dt, history);
+    contacts.history.store(c, history);
+    const Vec2 f = force.pressure * gap.normal - force.shear * tangent;
+    contacts.fx[c] = f.x;
+    contacts.fy[c] = f.y;
+    contacts.moment[c] = force.shear * gap.distance;
+    contacts.turning[c] = -cross(foot - wall.centre_now(), f);
+    return overlap <= (1.0 - least_clearance) * elements.radius[e];
+}
+
+void add_up(state::State& state) {
+    const state::WallContacts& contacts = state.wall_contacts;
+    state::Elements& elements = state.elements;
+    for (state::Wall& wall : state.walls) {
+        wall.force = {};
+        wall.moment = 0.0;
+        wall.stiffness = 0.0;
+    }
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+        const std::size_t e = contacts.element[c];
+        state::Wall& wall = state.walls[contacts.wall[c]];
+        elements.fx[e] += contacts.fx[c];
+        elements.fy[e] += contacts.fy[c];
+        elements.moment[e] += contacts.moment[c];
+        wall.force -= Vec2{contacts.fx[c], contacts.fy[c]};
+        wall.moment += contacts.turning[c];
+        if (contacts.overlap[c] > 0.0) wall.stiffness += state::wall_rule(state, contacts.wall[c], e).params.Kn;
+    }
+}
+
+[[noreturn]] void refuse_pressed_through(const state::State& state, std::size_t c) {
+    const state::Elements& elements = state.elements;
+    const std::size_t e = state.wall_contacts.element[c];
+    throw RunError(fmt::format(
+        "element {} of body \"{}\" at ({:.6g}, {:.6g}) m has been pressed into wall \"{}\" by {:.4g} m in step {} "
+        "(t = {:.6g} s): more than {:.3g} of its radius {:.4g} m; press or hit less hard, or take a stiffer material",
+        e, state.bodies[elements.body[e]].name, elements.position(e).x, elements.position(e).y,
+        state.walls[state.wall_contacts.wall[c]].name, state.wall_contacts.overlap[c], state.step, state.time,
+        1.0 - least_clearance, elements.radius[e]));
+}
+
+} // namespace
+
+void wall_forces(state::State& state, Team& team) {
+    std::vector<std::size_t> pressed(team.parts(), no_row);
+    team.share(state.wall_contacts.size(), [&](Share part) {
+        for (std::size_t c = part.begin; c < part.end; ++c) {
+            if (!press(state, c)) pressed[part.part] = std::min(pressed[part.part], c);
+        }
+    });
+    const std::size_t first = *std::min_element(pressed.begin(), pressed.end());
+    if (first != no_row) refuse_pressed_through(state, first);
+    add_up(state);
+}
+
+} // namespace demlua::step

@@ -1,0 +1,79 @@
+#include "engine/step/wall_start.hpp"
+
+#include "engine/step/wall_parts.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <fmt/format.h>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace demlua::step {
+
+namespace {
+
+constexpr double deepest_allowed = 0.1; // of the radius
+
+/// By wall and body.
+using Deepest = std::map<std::pair<std::size_t, std::size_t>, double>;
+
+const Place& place_of(const model::Scene& scene, std::size_t wall) {
+    return wall < scene.walls.size() ? scene.walls[wall].place : scene.outlines[wall - scene.walls.size()].place;
+}
+
+/// Whether a ray along x from the point crosses the sides an odd number of times.
+bool is_inside(const state::Wall& outline, Vec2 point) {
+    bool inside = false;
+    for (std::size_t k = 0; k < outline.points.size(); ++k) {
+        const Vec2 a = outline.points[k];
+        const Vec2 b = outline.point_after(k);
+        if ((a.y > point.y) == (b.y > point.y)) continue;
+        if (point.x < a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+    }
+    return inside;
+}
+
+Deepest overlaps(const state::State& state) {
+    Deepest deepest;
+    const state::WallContacts& contacts = state.wall_contacts;
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+        const std::size_t e = contacts.element[c];
+        const double R = state.elements.radius[e];
+        const double gap =
+            distance_to_part(state.walls[contacts.wall[c]], contacts.part[c], state.elements.position(e));
+        double& found = deepest[{contacts.wall[c], state.elements.body[e]}];
+        found = std::max(found, 1.0 - gap / R);
+    }
+    return deepest;
+}
+
+} // namespace
+
+std::vector<Problem> elements_across_walls(const model::Scene& scene, const state::State& state) {
+    std::vector<Problem> problems;
+    const auto add = [&](std::size_t wall, std::size_t body, const std::string& rule) {
+        problems.push_back({place_of(scene, wall), state.walls[wall].matter ? "outline.path" : "wall.path",
+                            '"' + state.walls[wall].name + '"', rule + " at the start",
+                            "move the wall or body \"" + state.bodies[body].name + "\" away"});
+    };
+    for (const auto& [pair, depth] : overlaps(state)) {
+        if (depth <= deepest_allowed) continue;
+        add(pair.first, pair.second,
+            fmt::format("lies across an element of body \"{}\", by {:.0f} % of its radius,",
+                        state.bodies[pair.second].name, 100.0 * depth));
+    }
+    if (!problems.empty()) return problems;
+    for (std::size_t w = 0; w < state.walls.size(); ++w) {
+        if (!state.walls[w].matter) continue;
+        for (std::size_t e = 0; e < state.elements.size(); ++e) {
+            if (!is_inside(state.walls[w], state.elements.position(e))) continue;
+            add(w, state.elements.body[e],
+                fmt::format("holds an element of body \"{}\"", state.bodies[state.elements.body[e]].name));
+            break;
+        }
+    }
+    return problems;
+}
+
+} // namespace demlua::step
