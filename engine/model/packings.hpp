@@ -24,6 +24,8 @@ struct ClosePacking {
     Rows rows = Rows::horizontal;
     Fit fit = Fit::inside;
     std::optional<Vec2> origin; ///< a lattice point, m
+    double removed = 0.0;       ///< share of the elements that are taken away at random
+    std::uint64_t seed = 1;     ///< says which
 };
 
 /// A pack consolidated from clusters (Tavarez & Plesha 2007, section 4).
@@ -33,6 +35,7 @@ struct Consolidation {
     double radius = 0.0;          ///< element radius, m; 0: what `count` gives
     double solid_fraction = 0.82; ///< area of the disks over the area of the region
     int relax = 0;                ///< steps of Lloyd's method after the pack is pressed
+    double removed = 0.0;         ///< share of the elements that are taken away at random in the end
     std::uint64_t seed = 1;
 };
 
@@ -61,6 +64,32 @@ struct ListedDisks {
     std::vector<std::uint32_t> clusters = {}; ///< each disk's, numbered from zero; empty: each is its own
 };
 
-using PackingChoice = std::variant<std::monostate, ClosePacking, Consolidation, Relaxation, ListedDisks>;
+/// Element radii spread evenly between two, of a share of the grains by number.
+struct SizeClass {
+    double least = 0.0;    ///< m
+    double greatest = 0.0; ///< m
+    double share = 1.0;    ///< beside those of the other classes, which need not add up to 1
+};
+
+/// How grains are put down.
+enum class Placing {
+    consolidation, ///< grown inside the region, sliding without friction, until they fill it
+    insertion,     ///< one by one at random places where they overlap nothing, the largest first
+    rain           ///< dropped one by one, each sliding and turning on those below until it lies as low as it can
+};
+
+/// Grains of one shape and any sizes, each a disk or a cluster of disks, turned at random.
+struct GrainPacking {
+    int elements = 1;             ///< of a grain, touching each other: 1, 2, 3, 4 or 7
+    std::vector<Disk> disks = {}; ///< or a grain disk by disk, in any unit of length
+    std::vector<SizeClass> sizes; ///< mean radius of a grain's elements
+    Placing method = Placing::consolidation;
+    std::optional<double> porosity = std::nullopt; ///< 1 - area of the grains over area of the region
+    std::uint64_t count = 0;                       ///< grains; 0: what `porosity` asks for, or all that find a place
+    double removed = 0.0;                          ///< share of the grains that are taken away at random in the end
+    std::uint64_t seed = 1;
+};
+
+using PackingChoice = std::variant<std::monostate, ClosePacking, Consolidation, Relaxation, ListedDisks, GrainPacking>;
 
 } // namespace demlua::model

@@ -92,6 +92,14 @@ struct CohesiveBonds : BondSettings {
 using BondChoice = std::variant<NoBonds, ElasticBonds, PlateauBonds, SofteningBonds, BrittleTensileBonds,
                                 BrittleToughnessBonds, CohesiveBonds>;
 
+/// What a grain is made of and what holds it together; nothing, where it is neither bonded nor rigid.
+struct Cluster {
+    int elements = 0;             ///< as GrainPacking has them; 0 where `disks` are given
+    std::vector<Disk> disks = {}; ///< one by one, in any unit of length
+    BondChoice bonds;
+    bool rigid = false;
+};
+
 struct Body {
     std::string name;
     std::size_t material = 0; ///< row of Scene::materials

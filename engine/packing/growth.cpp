@@ -5,10 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 #include <utility>
 
 namespace demlua::packing {
+
+using model::Disk;
+
 namespace {
 
 // Like `growing_overlap`, found by trial on packs of 1 to 12,000 elements.
@@ -22,38 +26,58 @@ double product(const Motion& a, const Motion& b) { return dot(a.shift, b.shift) 
 
 } // namespace
 
-std::vector<Vec2> cluster_shape(int disks) {
+std::vector<Disk> cluster_shape(int disks) {
     constexpr double root = std::numbers::sqrt3;
+    const auto touching = [](std::initializer_list<Vec2> centres) {
+        std::vector<Disk> shape;
+        for (const Vec2 centre : centres) shape.push_back({centre, 1.0});
+        return shape;
+    };
     switch (disks) {
     case 1:
-        return {{0.0, 0.0}};
+        return touching({{0.0, 0.0}});
     case 2:
-        return {{-1.0, 0.0}, {1.0, 0.0}};
+        return touching({{-1.0, 0.0}, {1.0, 0.0}});
     case 3:
-        return {{-1.0, -1.0 / root}, {1.0, -1.0 / root}, {0.0, 2.0 / root}};
+        return touching({{-1.0, -1.0 / root}, {1.0, -1.0 / root}, {0.0, 2.0 / root}});
     case 4:
-        return {{-1.0, 0.0}, {1.0, 0.0}, {0.0, root}, {0.0, -root}};
+        return touching({{-1.0, 0.0}, {1.0, 0.0}, {0.0, root}, {0.0, -root}});
     case 7:
-        return {{0.0, 0.0}, {2.0, 0.0}, {1.0, root}, {-1.0, root}, {-2.0, 0.0}, {-1.0, -root}, {1.0, -root}};
+        return touching({{0.0, 0.0}, {2.0, 0.0}, {1.0, root}, {-1.0, root}, {-2.0, 0.0}, {-1.0, -root}, {1.0, -root}});
     default:
         break;
     }
-    throw RunError("a consolidated pack is made of clusters of 1, 2, 3, 4 or 7 elements");
+    throw RunError("clusters by number are made of 1, 2, 3, 4 or 7 elements");
 }
 
-Growth::Growth(const model::Region& region, std::vector<Vec2> shape, std::size_t clusters, double radius)
-    : region_(region), shape_(std::move(shape)), final_radius_(radius), places_(clusters), speeds_(clusters),
-      forces_(clusters), disks_(clusters * shape_.size()), listed_(disks_.size()), pushes_(disks_.size()) {
-    double sum = 0.5 * static_cast<double>(shape_.size());
-    for (const Vec2 p : shape_) sum += dot(p, p);
+double circle_around(const std::vector<Disk>& shape) {
+    double farthest = 0.0;
+    for (const Disk& disk : shape) farthest = std::max(farthest, disk.radius + norm(disk.centre));
+    return farthest;
+}
+
+Growth::Growth(const model::Region& region, const std::vector<Disk>& shape, std::vector<double> sizes, double radius)
+    : region_(region), sizes_(std::move(sizes)), final_radius_(radius), places_(sizes_.size()), speeds_(sizes_.size()),
+      forces_(sizes_.size()), disks_(sizes_.size() * shape.size()), listed_(disks_.size()), pushes_(disks_.size()) {
+    double sum = 0.0;
+    for (const Disk& disk : shape) sum += 0.5 * disk.radius * disk.radius;
+    for (const Disk& disk : shape) {
+        shape_.push_back(disk.centre);
+        sum += dot(disk.centre, disk.centre);
+    }
     gyration_ = radius * std::sqrt(sum / static_cast<double>(shape_.size()));
+    relative_.reserve(disks_.size());
+    for (const double size : sizes_) {
+        for (const Disk& disk : shape) relative_.push_back(size * disk.radius);
+    }
+    for (const double each : relative_) largest_ = std::max(largest_, each);
 }
 
 void Growth::put_down(const std::vector<Vec2>& middles, double radius, std::uint64_t seed) {
     radius_ = radius;
     for (std::size_t k = 0; k < places_.size(); ++k) {
         const double angle = 2.0 * std::numbers::pi * uniform(seed, angles, k);
-        places_[k] = {middles[k], gyration_ * angle};
+        places_[k] = {middles[k], gyration(k) * angle};
     }
     set_disks();
 }
@@ -65,10 +89,10 @@ void Growth::put_back(const std::vector<Motion>& places) {
 
 void Growth::set_disks() {
     std::size_t disk = 0;
-    for (const Motion& place : places_) {
-        const double angle = place.turn / gyration_;
-        const Vec2 axis{radius_ * std::cos(angle), radius_ * std::sin(angle)};
-        for (const Vec2 p : shape_) disks_[disk++] = place.shift + p.x * axis + p.y * turned_left(axis);
+    for (std::size_t k = 0; k < places_.size(); ++k) {
+        const double unit = radius_ * sizes_[k];
+        const Vec2 axis{unit * std::cos(angle(k)), unit * std::sin(angle(k))};
+        for (const Vec2 p : shape_) disks_[disk++] = places_[k].shift + p.x * axis + p.y * turned_left(axis);
     }
 }
 
@@ -84,8 +108,9 @@ void Growth::throw_about(double reach, std::uint64_t seed, std::uint64_t round) 
     const std::vector<Vec2> disks = disks_;
     for (std::size_t k = 0; k < places_.size(); ++k) {
         const Vec2 share{uniform(seed, stream, k) - 0.5, uniform(seed, stream + 1, k) - 0.5};
-        places_[k].shift += 2.0 * reach * share;
-        places_[k].turn += 2.0 * reach * (uniform(seed, stream + 2, k) - 0.5);
+        const double far = 2.0 * reach * sizes_[k];
+        places_[k].shift += far * share;
+        places_[k].turn += far * (uniform(seed, stream + 2, k) - 0.5);
     }
     set_disks();
     for (std::size_t k = 0; k < disks.size(); ++k) {
@@ -101,8 +126,10 @@ std::size_t Growth::torn_pairs() const {
     for (std::size_t first = 0; first < disks_.size(); first += shape_.size()) {
         for (std::size_t a = first; a < first + shape_.size(); ++a) {
             for (std::size_t b = first; b < a; ++b) {
-                if (norm(disks_[a] - disks_[b]) > 2.1 * radius_) continue;
-                if (region_.distance(0.5 * (disks_[a] + disks_[b])) > -least * radius_) ++torn;
+                const double apart = radius_of(a) + radius_of(b);
+                if (norm(disks_[a] - disks_[b]) > 1.05 * apart) continue;
+                const Vec2 between = disks_[b] + (radius_of(b) / apart) * (disks_[a] - disks_[b]);
+                if (region_.distance(between) > -least * std::min(radius_of(a), radius_of(b))) ++torn;
             }
         }
     }
@@ -111,7 +138,7 @@ std::size_t Growth::torn_pairs() const {
 
 bool Growth::lists_hold() const {
     if (listed_radius_ < 0.0) return false;
-    const double room = 0.5 * (list_skin * final_radius_) - (radius_ - listed_radius_);
+    const double room = 0.5 * (list_skin * final_radius_) - (radius_ - listed_radius_) * largest_;
     if (room <= 0.0) return false;
     double farthest = 0.0;
     for (std::size_t k = 0; k < disks_.size(); ++k) {
@@ -126,20 +153,23 @@ void Growth::refresh_lists() {
     listed_ = disks_;
     listed_radius_ = radius_;
     const double skin = list_skin * final_radius_;
-    const double reach = 2.0 * radius_ + skin;
+    const double reach = 2.0 * radius_ * largest_ + skin;
     const std::size_t size = shape_.size();
     pairs_.clear();
     grid_.build(disks_, reach);
     grid_.for_each_pair(reach, [&](Index i, Index j) {
-        if (i / size != j / size) pairs_.push_back({i, j});
+        if (i / size == j / size) return;
+        const Vec2 between = disks_[j] - disks_[i];
+        const double near = radius_of(i) + radius_of(j) + skin;
+        if (dot(between, between) <= near * near) pairs_.push_back({i, j});
     });
     rim_.clear();
     for (std::size_t k = 0; k < disks_.size(); ++k) {
-        if (region_.distance(disks_[k]) > -(radius_ + skin)) rim_.push_back(static_cast<Index>(k));
+        if (region_.distance(disks_[k]) > -(radius_of(k) + skin)) rim_.push_back(static_cast<Index>(k));
     }
 }
 
-/// Returns the largest overlap, m; so do the two that follow.
+/// Returns the largest overlap, in radii times radius_; so do the two that follow.
 double Growth::push() {
     refresh_lists();
     std::fill(pushes_.begin(), pushes_.end(), Vec2{});
@@ -150,15 +180,15 @@ double Growth::push() {
 }
 
 double Growth::push_pairs() {
-    const double touching = 2.0 * radius_;
     double largest = 0.0;
     for (const auto [i, j] : pairs_) {
+        const double touching = radius_of(i) + radius_of(j);
         const Vec2 between = disks_[j] - disks_[i];
         const double square = dot(between, between);
         if (square >= touching * touching || square == 0.0) continue;
         const double distance = std::sqrt(square);
         const double overlap = touching - distance;
-        largest = std::max(largest, overlap);
+        largest = std::max(largest, overlap / std::min(relative_[i], relative_[j]));
         const Vec2 force = (overlap / distance) * between;
         pushes_[i] -= force;
         pushes_[j] += force;
@@ -170,10 +200,10 @@ double Growth::push_pairs() {
 double Growth::push_walls() {
     double largest = 0.0;
     for (const Index k : rim_) {
-        region_.walls_near(disks_[k], radius_, walls_);
+        region_.walls_near(disks_[k], radius_of(k), walls_);
         for (const model::Boundary& wall : walls_) {
-            const double overlap = radius_ + wall.distance;
-            largest = std::max(largest, overlap);
+            const double overlap = radius_of(k) + wall.distance;
+            largest = std::max(largest, overlap / relative_[k]);
             pushes_[k] -= (2.0 * overlap) * wall.outward;
         }
     }
@@ -190,7 +220,7 @@ void Growth::gather_forces() {
             force += pushes_[disk];
             torque += cross(disks_[disk] - places_[k].shift, pushes_[disk]);
         }
-        forces_[k] = {share * force, share * torque / gyration_};
+        forces_[k] = {share * force, share * torque / gyration(k)};
     }
 }
 

@@ -1,4 +1,4 @@
-// Rigid clusters of disks that grow inside a region and push each other apart.
+// Rigid clusters of disks, all of one shape and each of its own size, that grow inside a region and push each other apart.
 //
 // Disks that overlap, and disks that reach over the boundary, push apart with a force equal to the overlap.
 // The clusters slide without friction down the energy of all overlaps (FIRE: Bitzek, Koskinen, Gaehler,
@@ -8,6 +8,7 @@
 #include "engine/base/cell_grid.hpp"
 #include "engine/base/column.hpp"
 #include "engine/base/vec2.hpp"
+#include "engine/model/packings.hpp"
 #include "engine/model/region.hpp"
 
 #include <cstddef>
@@ -16,11 +17,14 @@
 
 namespace demlua::packing {
 
-/// Largest overlap, in radii, with which clusters still grow.
+/// Largest overlap, in radii of the smaller disk, with which clusters still grow.
 inline constexpr double growing_overlap = 0.05;
 
 /// Streams of random numbers of a pack.
 enum Stream : std::uint64_t { offsets, across, upwards, angles, shakes };
+
+/// Streams beyond all that shakes use.
+enum FarStream : std::uint64_t { sizes = 1U << 20U, ranks, removals };
 
 /// Where a cluster is, or how fast it moves, or what pushes it: x, y (m) and the turn as an arc length (m) at
 /// the radius of gyration, so that all three weigh the same.
@@ -29,31 +33,37 @@ struct Motion {
     double turn = 0.0;
 };
 
-/// Disk centres of a cluster about its middle, in radii; every disk touches its neighbours.
-std::vector<Vec2> cluster_shape(int disks);
+/// Disks of a cluster about its middle, in radii; every disk touches its neighbours.
+std::vector<model::Disk> cluster_shape(int disks);
 
-/// Clusters and the disks they carry. Disk k belongs to cluster k / shape.size().
+/// Radius of the circle about the origin that holds the disks.
+double circle_around(const std::vector<model::Disk>& shape);
+
+/// Clusters and the disks they carry. Disk k belongs to cluster k / shape.size() and has `radius` times its radius in the
+/// shape times the size of its cluster; overlaps are in radii of the smaller disk.
 class Growth {
 public:
-    Growth(const model::Region& region, std::vector<Vec2> shape, std::size_t clusters, double radius);
+    /// A cluster for each of `sizes`; `radius` (m) is the one they will grow to.
+    Growth(const model::Region& region, const std::vector<model::Disk>& shape, std::vector<double> sizes,
+           double radius);
 
     [[nodiscard]] double radius() const { return radius_; }
+    [[nodiscard]] double angle(std::size_t cluster) const { return places_[cluster].turn / gyration(cluster); }
     [[nodiscard]] const std::vector<Vec2>& disks() const { return disks_; }
     [[nodiscard]] const std::vector<Motion>& places() const { return places_; }
     void put_back(const std::vector<Motion>& places);
 
-    /// Puts clusters of disks of `radius` (m) with their middles at `middles`, turned at random.
+    /// Puts clusters that have come to `radius` (m) with their middles at `middles`, turned at random.
     void put_down(const std::vector<Vec2>& middles, double radius, std::uint64_t seed);
 
     /// Gives the disks another radius, m; clusters keep their middles and grow or shrink about them.
     void grow_to(double radius);
 
-    /// Throws every cluster up to `reach` (m) along each axis, and as far along its turn; `round` counts the
-    /// shakes.
+    /// Throws every cluster up to `reach` (m) times its size along each axis, and as far along its turn; `round` counts
+    /// the shakes.
     void throw_about(double reach, std::uint64_t seed, std::uint64_t round);
 
-    /// Moves until no overlap exceeds `overlap` (in radii), at most `moves` times; returns the largest left
-    /// (in radii).
+    /// Moves until no overlap exceeds `overlap`, at most `moves` times; returns the largest left.
     double settle(double overlap, int moves);
 
     /// How many pairs of touching disks of one cluster have a wall pass between them.
@@ -65,6 +75,8 @@ private:
         Index second;
     };
 
+    [[nodiscard]] double gyration(std::size_t cluster) const { return gyration_ * sizes_[cluster]; }
+    [[nodiscard]] double radius_of(std::size_t disk) const { return radius_ * relative_[disk]; }
     void set_disks();
     void refresh_lists();
     [[nodiscard]] bool lists_hold() const;
@@ -75,10 +87,13 @@ private:
     void step();
 
     const model::Region& region_;
-    std::vector<Vec2> shape_;
+    std::vector<Vec2> shape_; ///< centres
+    std::vector<double> sizes_;
+    std::vector<double> relative_; ///< radius of each disk over radius_
+    double largest_ = 0.0;         ///< of those
     double final_radius_;
     double radius_ = 0.0;
-    double gyration_ = 0.0;
+    double gyration_ = 0.0; ///< radius of gyration of a cluster of size 1 in the end, m
     std::vector<Motion> places_;
     std::vector<Motion> speeds_;
     std::vector<Motion> forces_;

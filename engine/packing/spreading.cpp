@@ -67,12 +67,15 @@ std::vector<Vec2> sorted_by_cell(const std::vector<Vec2>& points, double cell) {
 
 } // namespace
 
-Middles spread(const model::Region& region, double area, std::size_t count, double circle, std::uint64_t seed) {
-    circle = std::min(circle, std::sqrt(spread_coverage * area / (std::numbers::pi * static_cast<double>(count))));
-    Sprinkler sprinkler(region, area, count, seed);
+Middles spread(const model::Region& region, double area, const std::vector<double>& sizes, double circle,
+               std::uint64_t seed) {
+    double squares = 0.0;
+    for (const double size : sizes) squares += size * size;
+    circle = std::min(circle, std::sqrt(spread_coverage * area / (std::numbers::pi * squares)));
+    Sprinkler sprinkler(region, area, sizes.size(), seed);
     std::vector<Vec2> at;
-    for (std::size_t k = 0; k < count; ++k) at.push_back(sprinkler.next(first_size * circle));
-    Growth circles(region, cluster_shape(1), count, circle);
+    for (std::size_t k = 0; k < sizes.size(); ++k) at.push_back(sprinkler.next(first_size * circle));
+    Growth circles(region, cluster_shape(1), sizes, circle);
     circles.put_down(sorted_by_cell(at, 4.0 * circle), first_size * circle, seed);
     grow(circles, circle);
     return {circles.disks(), circle};
