@@ -144,6 +144,7 @@ Ledger ledger_of(const state::State& state) {
         },
         ledger);
     add_rolling(state.contacts.rolling, ledger);
+    add_rolling(state.wall_contacts.rolling, ledger);
     ledger.potential = gravity_energy(state);
     ledger.mass_damping = state.booked.mass_damping + motion.damped;
     ledger.removed = state.booked.removed;

@@ -31,11 +31,7 @@ double force_in_pairs(const state::State& state) {
     for (const state::AnyBondSet& any : state.bond_sets) {
         std::visit([&](const auto& bonds) { add(bonds.fx, bonds.fy, bonds.size()); }, any);
     }
-    for (std::size_t c = 0; c < state.wall_contacts.size(); ++c) {
-        const std::size_t body = state.elements.body[state.wall_contacts.element[c]];
-        const double Kn = state.materials[state.bodies[body].material].stiffness.normal;
-        if (state.wall_contacts.overlap[c] > 0.0) mean.add(Kn * state.wall_contacts.overlap[c]);
-    }
+    add(state.wall_contacts.fx, state.wall_contacts.fy, state.wall_contacts.size());
     return mean.value();
 }
 

@@ -48,8 +48,10 @@ std::vector<double> stress_of_elements(const state::State& state) {
     for (std::size_t c = 0; c < state.wall_contacts.size(); ++c) {
         const std::size_t e = state.wall_contacts.element[c];
         if (state.wall_contacts.overlap[c] <= 0.0) continue;
+        const state::Wall& wall = state.walls[state.wall_contacts.wall[c]];
+        const std::size_t part = state.wall_contacts.part[c];
         const step::WallGap gap =
-            step::wall_gap(state.walls[state.wall_contacts.wall[c]], state.wall_contacts.part[c], elements.position(e));
+            step::wall_gap(wall, part, step::seen_from(wall, part, elements.position(e), state.period));
         stress[e].add({state.wall_contacts.fx[c], state.wall_contacts.fy[c]}, -gap.distance * gap.normal);
     }
     std::vector<double> components;

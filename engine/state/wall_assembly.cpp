@@ -99,6 +99,14 @@ double farthest_from(Vec2 centre, const std::vector<Vec2>& points) {
     return farthest;
 }
 
+/// Whether a path ends one period from where it began.
+bool goes_on(const std::vector<Vec2>& path, Period period) {
+    constexpr double same_place = 1e-9; // of the period
+    const Vec2 between = path.back() - path.front();
+    const double off = std::max(std::fabs(std::fabs(between.x) - period.length), std::fabs(between.y));
+    return period.repeats() && off <= same_place * period.length;
+}
+
 Wall wall_of(const model::Wall& said, const State& state) {
     Wall wall;
     wall.name = said.name;
@@ -107,8 +115,10 @@ Wall wall_of(const model::Wall& said, const State& state) {
     wall.centre = said.centre.value_or(middle_of(box_of(wall.path)));
     for (const MaterialFacts& facts : state.materials) {
         wall.rules.push_back({{facts.stiffness.normal, facts.stiffness.shear, std::min(facts.friction, said.friction)},
-                              facts.damping_fraction});
+                              facts.damping_fraction,
+                              facts.rolling_friction});
     }
+    wall.seam = !wall.closed && goes_on(wall.path, state.period);
     return wall;
 }
 

@@ -34,6 +34,7 @@ struct Wall {
     std::string name;
     std::vector<Vec2> path; ///< at the start, m; of a closed one the first point does not come again
     bool closed = false;
+    bool seam = false;           ///< in a plane that repeats, whether the path ends where it began, one period on
     Vec2 centre;                 ///< what it turns about, at the start: of mass, where there is matter, m
     double reach = 0.0;          ///< from the centre to its farthest point, m
     std::vector<PairRule> rules; ///< of its contacts, by the elements' material
@@ -81,6 +82,7 @@ struct WallContacts {
     Column<double> moment;  ///< on the element, N m
     Column<double> turning; ///< on the wall about its centre, N m
     HistoryColumns<ContactHistory> history;
+    RollingContacts rolling; ///< only where contacts of elements roll too
     SpentInContacts spent;
 
     [[nodiscard]] std::size_t size() const { return wall.size(); }

@@ -14,6 +14,7 @@ double along_one_direction(double count) { return count <= 2.0 ? count : 1.5 + 0
 /// The stiffest contact and the hardest dashpots an element can meet.
 struct HardestContact {
     double Kn = 0.0, Kt = 0.0, Cn = 0.0, Ct = 0.0;
+    double levers = 1.0; ///< squares of arms over those of the radius: rolling adds its own as if at the rim
 };
 
 HardestContact hardest_contact(const state::State& state, std::size_t element, bool with_own_body) {
@@ -35,6 +36,7 @@ HardestContact hardest_contact(const state::State& state, std::size_t element, b
     }
     const state::MaterialFacts& facts = state.materials[material];
     if (!state.walls.empty()) meet({facts.stiffness.normal, facts.stiffness.shear, 0.0}, facts.damping_fraction, m);
+    if (state.contacts.rolls) hardest.levers = 2.0;
     return hardest;
 }
 
@@ -47,7 +49,8 @@ Felt hardest_contacts(const state::State& state, std::size_t k, double count, bo
     const HardestContact contact = hardest_contact(state, k, with_own_body);
     const state::Elements& elements = state.elements;
     const double along = sides * along_one_direction(count) * elements.inverse_mass[k];
-    const double turn = sides * count * elements.radius[k] * elements.radius[k] * elements.inverse_inertia[k];
+    const double turn =
+        contact.levers * sides * count * elements.radius[k] * elements.radius[k] * elements.inverse_inertia[k];
     const Eigen::Vector3d normal{along, along, 0.0};
     const Eigen::Vector3d shear{along, along, turn};
     return {contact.Kn * normal + contact.Kt * shear, contact.Cn * normal + contact.Ct * shear};
@@ -60,7 +63,7 @@ RigidlyFelt hardest_contacts_on(const state::State& state, const state::RigidBod
     const double lever = arm + state.elements.radius[k];
     const double along = sides * along_one_direction(count) / rigid.mass;
     const double normal = along + sides * count * arm * arm / rigid.inertia;
-    const double shear = along + sides * count * lever * lever / rigid.inertia;
+    const double shear = along + contact.levers * sides * count * lever * lever / rigid.inertia;
     return {contact.Kn * normal + contact.Kt * shear, contact.Cn * normal + contact.Ct * shear};
 }
 

@@ -49,32 +49,6 @@ struct Candidate {
     [[nodiscard]] auto key() const { return std::tie(i, j); }
 };
 
-/// Where elements stand, and whose each place is. In a plane that repeats, elements near the left edge stand once more
-/// beyond the right one.
-struct Places {
-    std::vector<Vec2> at;
-    std::vector<Index> element;
-};
-
-Places places_of(const state::State& state, double reach) {
-    Places places;
-    for (std::size_t k = 0; k < state.elements.size(); ++k) {
-        if (state.is_gone(k)) continue;
-        Vec2 at = state.elements.position(k);
-        if (state.period.repeats()) at.x += state.period.shift_inside(at.x);
-        places.at.push_back(at);
-        places.element.push_back(static_cast<Index>(k));
-    }
-    if (!state.period.repeats()) return places;
-    const std::size_t count = places.at.size();
-    for (std::size_t p = 0; p < count; ++p) {
-        if (places.at[p].x - state.period.left > reach) continue;
-        places.at.push_back(places.at[p] + Vec2{state.period.length, 0.0});
-        places.element.push_back(places.element[p]);
-    }
-    return places;
-}
-
 /// Reference length of a pair that was in one rigid cluster, or that of its radii.
 double touch_of(const state::State& state, Index i, Index j) {
     const double touch = state.elements.radius[i] + state.elements.radius[j];
@@ -89,7 +63,8 @@ std::vector<Candidate> candidates(const state::State& state, Search& search) {
     const state::Elements& elements = state.elements;
     const double largest = *std::max_element(elements.radius.begin(), elements.radius.end());
     const double reach = 2.0 * largest + search.excess + search.skin;
-    const Places places = places_of(state, reach);
+    search.places = places_of(state, reach);
+    const Places& places = search.places;
     std::vector<Candidate> found;
     search.grid.build(places.at, reach);
     search.grid.for_each_pair(reach, [&](Index a, Index b) {
@@ -222,7 +197,7 @@ Search start_search(const state::State& state) {
 
 void refresh_contacts(state::State& state, Search& search) {
     refresh_pairs(state, search);
-    refresh_wall_contacts(state, search.skin, search.grid);
+    refresh_wall_contacts(state, search.skin, search.places, search.grid);
     search.travelled = 0.0;
     ++search.searches;
 }

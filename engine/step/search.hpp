@@ -4,6 +4,7 @@
 #include "engine/base/cell_grid.hpp"
 #include "engine/state/state.hpp"
 #include "engine/step/breaking.hpp"
+#include "engine/step/places.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -18,7 +19,8 @@ struct Search {
     double excess = 0.0;    ///< most by which a broken bond's reference length exceeds its radii, m
     std::uint64_t searches = 0;
     std::vector<std::size_t> bond_set_of_body; ///< row of State::bond_sets, or its size for none
-    CellGrid grid;
+    Places places;                             ///< of the last search
+    CellGrid grid;                             ///< of these
 };
 
 /// Skin and tables for a freshly assembled state; the list itself is made by refresh_contacts.

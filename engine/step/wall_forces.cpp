@@ -20,19 +20,35 @@ void release(state::WallContacts& contacts, std::size_t c) {
 
 bool at_rest(const state::ContactHistory& history) { return history.force == 0.0 && history.damping == 0.0; }
 
+/// The couple against rolling on the element.
+double rolling_moment(state::State& state, std::size_t c, double pressure) {
+    state::WallContacts& contacts = state.wall_contacts;
+    state::RollingContacts& rolling = contacts.rolling;
+    const Index e = contacts.element[c];
+    const Index w = contacts.wall[c];
+    law::Rolling::History<double> history = rolling.history.at(c);
+    const double cap = state::wall_rule(state, w, e).rolling_friction * rolling.radius[c] * pressure;
+    const double turning = state.walls[w].spin - state.elements.spin[e];
+    const double moment =
+        law::Rolling::respond<double>({rolling.stiffness[c], rolling.dashpot[c], cap, turning}, state.dt, history);
+    rolling.history.store(c, history);
+    return moment;
+}
+
 /// Fills the forces of one row; whether its element still has room.
 bool press(state::State& state, std::size_t c) {
     state::WallContacts& contacts = state.wall_contacts;
     const state::Elements& elements = state.elements;
     const state::Wall& wall = state.walls[contacts.wall[c]];
     const std::size_t e = contacts.element[c];
-    const Vec2 centre = elements.position(e);
+    const Vec2 centre = seen_from(wall, contacts.part[c], elements.position(e), state.period);
     const WallGap gap = wall_gap(wall, contacts.part[c], centre);
     const double overlap = gap.meets ? elements.radius[e] - gap.distance : 0.0;
     contacts.overlap[c] = overlap;
     state::ContactHistory history = contacts.history.at(c);
     if (overlap <= 0.0 && at_rest(history)) {
         release(contacts, c);
+        if (contacts.rolling.present()) rolling_moment(state, c, 0.0);
         return true;
     }
     const Vec2 tangent = turned_left(gap.normal);
@@ -49,6 +65,11 @@ bool press(state::State& state, std::size_t c) {
     contacts.fy[c] = f.y;
     contacts.moment[c] = force.shear * gap.distance;
     contacts.turning[c] = -cross(foot - wall.centre_now(), f);
+    if (contacts.rolling.present()) {
+        const double couple = rolling_moment(state, c, force.pressure);
+        contacts.moment[c] += couple;
+        contacts.turning[c] -= couple;
+    }
     return overlap <= (1.0 - least_clearance) * elements.radius[e];
 }
 

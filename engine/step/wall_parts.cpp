@@ -17,6 +17,13 @@ WallGap gap_from(Vec2 nearest, Vec2 centre, bool meets) {
 
 } // namespace
 
+Vec2 seen_from(const state::Wall& wall, std::size_t part, Vec2 centre, Period period) {
+    if (!period.repeats()) return centre;
+    const std::size_t k = part / 2;
+    const Vec2 middle = part % 2 == 0 ? wall.points[k] : 0.5 * (wall.points[k] + wall.point_after(k));
+    return middle + period.shortest(centre - middle);
+}
+
 WallGap wall_gap(const state::Wall& wall, std::size_t part, Vec2 centre) {
     const std::size_t k = part / 2;
     const Vec2 a = wall.points[k];
@@ -26,7 +33,11 @@ WallGap wall_gap(const state::Wall& wall, std::size_t part, Vec2 centre) {
         return gap_from(a + along * (b - a), centre, along > 0.0 && along < 1.0);
     }
     const std::size_t n = wall.points.size();
-    const bool past_previous = (k == 0 && !wall.closed) || foot(wall.points[(k + n - 1) % n], a, centre) >= 1.0;
+    if (wall.seam && k + 1 == n) return {};
+    const bool first = k == 0 && !wall.closed;
+    const Vec2 previous =
+        first && wall.seam ? wall.points[n - 2] + (a - wall.points[n - 1]) : wall.points[(k + n - 1) % n];
+    const bool past_previous = (first && !wall.seam) || foot(previous, a, centre) >= 1.0;
     const bool before_next = (k + 1 == n && !wall.closed) || foot(a, wall.point_after(k), centre) <= 0.0;
     return gap_from(a, centre, past_previous && before_next);
 }

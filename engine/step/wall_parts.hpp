@@ -1,6 +1,7 @@
 // Where elements stand to the parts of a wall.
 #pragma once
 
+#include "engine/base/period.hpp"
 #include "engine/base/vec2.hpp"
 #include "engine/state/walls.hpp"
 
@@ -15,7 +16,11 @@ struct WallGap {
     double distance = 0.0;
 };
 
-/// `part` as in WallContacts; `centre` in m.
+/// Where an element at `centre` stands as this part of the wall sees it: in a plane that repeats, the image nearest to the
+/// part's middle, m.
+Vec2 seen_from(const state::Wall& wall, std::size_t part, Vec2 centre, Period period);
+
+/// `part` as in WallContacts; `centre` in m, as seen from the part.
 WallGap wall_gap(const state::Wall& wall, std::size_t part, Vec2 centre);
 
 /// m, whether or not another part is nearer.

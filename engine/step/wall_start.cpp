@@ -40,8 +40,9 @@ Deepest overlaps(const state::State& state) {
     for (std::size_t c = 0; c < contacts.size(); ++c) {
         const std::size_t e = contacts.element[c];
         const double R = state.elements.radius[e];
-        const double gap =
-            distance_to_part(state.walls[contacts.wall[c]], contacts.part[c], state.elements.position(e));
+        const state::Wall& wall = state.walls[contacts.wall[c]];
+        const double gap = distance_to_part(
+            wall, contacts.part[c], seen_from(wall, contacts.part[c], state.elements.position(e), state.period));
         double& found = deepest[{contacts.wall[c], state.elements.body[e]}];
         found = std::max(found, 1.0 - gap / R);
     }
