@@ -1,10 +1,12 @@
 #include "engine/model/check.hpp"
 
 #include "engine/model/check_fracture.hpp"
+#include "engine/model/check_grains.hpp"
 #include "engine/model/setting.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <type_traits>
 #include <utility>
@@ -23,7 +25,8 @@ std::optional<Network> network_of(const Body& body) {
         body.bonds);
     if (chosen != Network::automatic) return chosen;
     if (std::holds_alternative<ClosePacking>(body.packing)) return Network::unit_cell;
-    return std::holds_alternative<ListedDisks>(body.packing) ? Network::contacts : Network::facets;
+    const bool fills = !body.in_clusters && !std::holds_alternative<ListedDisks>(body.packing);
+    return fills ? Network::facets : Network::contacts;
 }
 
 namespace {
@@ -32,6 +35,7 @@ namespace {
 struct Findings {
     std::vector<Problem> problems;
 
+    void add(std::vector<Problem> found) { std::move(found.begin(), found.end(), std::back_inserter(problems)); }
     void add(const Place& place, std::string what, std::string value, std::string rule, std::string hint = {}) {
         problems.push_back({place, std::move(what), std::move(value), std::move(rule), std::move(hint)});
     }
@@ -140,6 +144,7 @@ void check_packing(const Body& body, Findings& findings) {
         check_consolidation(body, *pressed, findings);
     }
     if (const auto* even = std::get_if<Relaxation>(&body.packing)) check_relaxation(body, *even, findings);
+    if (const auto* loose = std::get_if<GrainPacking>(&body.packing)) findings.add(grain_problems(body, *loose));
 }
 
 bool selects_nothing(const Selection& selection) { return !selection.body && !selection.within && !selection.where; }
@@ -306,6 +311,7 @@ std::vector<Problem> check(const Scene& scene, const std::vector<std::string>& m
     for (const Body& body : scene.bodies) {
         check_packing(body, findings);
         check_network(body, findings);
+        findings.add(cluster_problems(body));
     }
     for (const Support& support : scene.supports) check_selection(support.selection, "fix", support.place, findings);
     for (const Motion& motion : scene.motions) check_motion(motion, findings);
