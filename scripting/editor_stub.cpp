@@ -28,6 +28,7 @@ const std::string& class_given(const Word& word) {
                                                             {"a region", "dem.region"},
                                                             {"a packing", "dem.packing"},
                                                             {"a bond law", "dem.bonds"},
+                                                            {"a cluster", "dem.cluster_handle"},
                                                             {"a body", "dem.body"},
                                                             {"a load", "dem.load"},
                                                             {"a wall", "dem.wall"},
@@ -82,6 +83,7 @@ constexpr const char* objects = R"(---@meta dem
 
 ---@class dem.packing
 ---@class dem.bonds
+---@class dem.cluster_handle
 ---@class dem.signal
 ---@class dem.material_handle
 ---@class dem.side

@@ -3,6 +3,7 @@
 
 #include "engine/model/check.hpp"
 #include "engine/model/settings.hpp"
+#include "engine/packing/grains.hpp"
 #include "engine/packing/packing.hpp"
 #include "scripting/read.hpp"
 #include "scripting/sandbox.hpp"
@@ -59,7 +60,7 @@ int material_index(lua_State* L) {
 constexpr std::array<std::pair<const char*, Side>, 4> sides{
     {{"left", Side::left}, {"right", Side::right}, {"bottom", Side::bottom}, {"top", Side::top}}};
 
-/// The radius of a body's elements before they are packed, of a relaxed pack the mean. A body that was not well said has the radius 1.
+/// The radius of a body's elements before they are packed, of a relaxed pack or of grains the mean. A body that was not well said has the radius 1.
 double element_radius(const Body& body) {
     if (const auto* close = std::get_if<ClosePacking>(&body.packing)) return close->radius > 0.0 ? close->radius : 1.0;
     if (const auto* listed = std::get_if<ListedDisks>(&body.packing)) {
@@ -76,6 +77,7 @@ double element_radius(const Body& body) {
             return packing::consolidated_radius(body.region, *pressed);
         }
     }
+    if (const auto* loose = std::get_if<GrainPacking>(&body.packing)) return packing::mean_radius(*loose);
     if (const auto* even = std::get_if<Relaxation>(&body.packing)) {
         const bool well_said = even->count > 0 || even->spacing > 0.0 || even->size;
         if (well_said && !body.region.bounds().empty()) return packing::relaxed_radius(body.region, *even);

@@ -60,6 +60,8 @@ inline constexpr const char* object_name<model::Region> = "region";
 template <>
 inline constexpr const char* object_name<model::PackingChoice> = "packing";
 template <>
+inline constexpr const char* object_name<model::Cluster> = "cluster";
+template <>
 inline constexpr const char* object_name<model::BondChoice> = "bond law";
 template <>
 inline constexpr const char* object_name<Signal> = "signal";

@@ -55,6 +55,22 @@ struct Value {
 
 void read_value(const Value& value, const model::Slot& slot);
 
+/// Each item of a list as a value of its own, called `what[k]`.
+template <class Act>
+void for_each_item(const Value& value, const model::Slot& slot, const Act& act) {
+    lua_State* const L = value.call.L;
+    if (lua_type(L, value.index) != LUA_TTABLE) {
+        value.wrong_type(slot);
+        return;
+    }
+    const auto length = static_cast<lua_Integer>(lua_rawlen(L, value.index));
+    for (lua_Integer k = 1; k <= length; ++k) {
+        lua_rawgeti(L, value.index, k);
+        act(Value{value.call, value.setting, value.what + "[" + std::to_string(k) + "]", lua_gettop(L)});
+        lua_pop(L, 1);
+    }
+}
+
 // Slots that take more than a line to fill.
 void read_signal(const Value& value, const model::Slot& slot, int at, int component, Signal& signal,
                  const void* target);

@@ -1,5 +1,6 @@
 // One value into one slot: its type, its finiteness, its range.
 #include "engine/model/settings.hpp"
+#include "scripting/grains.hpp"
 #include "scripting/read.hpp"
 #include "scripting/signals.hpp"
 
@@ -70,22 +71,6 @@ std::optional<double> whole_number(const Value& value, const Slot& slot) {
         return std::nullopt;
     }
     return said;
-}
-
-/// Each item of a list as a value of its own, called `what[k]`.
-template <class Act>
-void for_each_item(const Value& value, const Slot& slot, Act act) {
-    lua_State* const L = value.call.L;
-    if (lua_type(L, value.index) != LUA_TTABLE) {
-        value.wrong_type(slot);
-        return;
-    }
-    const auto length = static_cast<lua_Integer>(lua_rawlen(L, value.index));
-    for (lua_Integer k = 1; k <= length; ++k) {
-        lua_rawgeti(L, value.index, k);
-        act(Value{value.call, value.setting, value.what + "[" + std::to_string(k) + "]", lua_gettop(L)});
-        lua_pop(L, 1);
-    }
 }
 
 /// The types of values that are objects of their own, and the slots they go into.
@@ -177,9 +162,14 @@ struct Filler {
             Call call = item.call;
             call.label = item.what;
             DiskSaid said;
-            if (read(call, item.index, words::disk(), said)) into->push_back({{said.x, said.y}, said.radius});
+            if (!read(call, item.index, words::disk(), said)) return;
+            if (said.cluster) call.complain(item.what, "", "is of one cluster already", "", Cause::wording);
+            into->push_back({{said.x, said.y}, said.radius});
         });
     }
+    void operator()(ListedDisks* into) const { read_listed(value, slot, *into); }
+    void operator()(std::vector<SizeClass>* into) const { read_sizes(value, slot, *into); }
+    void operator()(Cluster* into) const { take_object(value, slot, *into); }
     void operator()(Region* into) const { take_object(value, slot, *into); }
     void operator()(Spacing* into) const {
         if (lua_type(L(), index()) != LUA_TFUNCTION) return value.wrong_type(slot);

@@ -1,6 +1,7 @@
 // dem.simulation and the words said to it.
 #include "engine/model/check.hpp"
 #include "engine/model/settings.hpp"
+#include "scripting/grains.hpp"
 #include "scripting/read.hpp"
 #include "scripting/running.hpp"
 #include "scripting/sandbox.hpp"
@@ -75,6 +76,19 @@ int body(lua_State* L) {
     const Call call = call_on_simulation(L, words::body());
     refuse_once_running(call);
     add_row(call, words::body(), scene_of(L).bodies);
+    push(L, BodyHandle{scene_of(L).bodies.size() - 1});
+    return 1;
+}
+
+int grains(lua_State* L) {
+    const Call call = call_on_simulation(L, words::grains());
+    refuse_once_running(call);
+    GrainsSaid said;
+    said.place = call.place;
+    read(call, 2, words::grains(), said);
+    if (said.sizes.empty()) said.sizes = {{1.0, 1.0, 1.0}}; // complained of, if it was not given
+    scene_of(L).bodies.push_back(body_of(said));
+    call.context.grown = true;
     push(L, BodyHandle{scene_of(L).bodies.size() - 1});
     return 1;
 }
@@ -266,6 +280,7 @@ void add_simulation(lua_State* L) {
     lua_createtable(L, 0, 19);
     constexpr std::array<luaL_Reg, 18> methods{
         {{"body", guarded<body>},
+         {"grains", guarded<grains>},
          {"fix", guarded<fix>},
          {"move", guarded<move>},
          {"force", guarded<force>},

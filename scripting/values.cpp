@@ -1,5 +1,6 @@
 // Words that make values: materials, regions, packings, signals; those of bond laws have their own file.
 #include "engine/model/check.hpp"
+#include "engine/model/check_grains.hpp"
 #include "engine/model/figure.hpp"
 #include "engine/model/settings.hpp"
 #include "scripting/read.hpp"
@@ -139,6 +140,18 @@ int packing(lua_State* L) {
     return 1;
 }
 
+int cluster(lua_State* L) {
+    const Call call(L, words::cluster().name());
+    Cluster said;
+    if (read(call, 1, words::cluster(), said)) {
+        const std::vector<Problem> problems = cluster_problems(said);
+        for (const Problem& each : problems) call.complain(each.what, each.value, each.rule, each.hint, Cause::value);
+        if (!problems.empty()) said = {1, {}, {}, false};
+    }
+    push(L, std::move(said));
+    return 1;
+}
+
 // --- signals ---------------------------------------------------------------------------------------------------------
 
 int ramp(lua_State* L) {
@@ -201,7 +214,8 @@ void add_values(lua_State* L) {
     add_region(L);
     define<PackingChoice>(L, nullptr);
     define<Signal>(L, nullptr);
-    constexpr std::array<luaL_Reg, 12> functions{
+    define<Cluster>(L, nullptr);
+    constexpr std::array<luaL_Reg, 13> functions{
         {{"material", guarded<material>},
          {"rectangle", guarded<rectangle>},
          {"disc", guarded<disc>},
@@ -211,6 +225,7 @@ void add_values(lua_State* L) {
          {"consolidated", guarded<packing<Consolidation, words::consolidated>>},
          {"relaxed", guarded<packing<Relaxation, words::relaxed>>},
          {"disks", guarded<packing<ListedDisks, words::disks>>},
+         {"cluster", guarded<cluster>},
          {"ramp", guarded<ramp>},
          {"sawtooth", guarded<sawtooth>},
          {nullptr, nullptr}}};

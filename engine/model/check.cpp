@@ -1,12 +1,14 @@
 #include "engine/model/check.hpp"
 
 #include "engine/model/check_fracture.hpp"
+#include "engine/model/check_grains.hpp"
 #include "engine/model/check_walls.hpp"
 #include "engine/model/findings.hpp"
 #include "engine/model/setting.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <type_traits>
 #include <utility>
@@ -24,9 +26,9 @@ std::optional<Network> network_of(const Body& body) {
         },
         body.bonds);
     if (chosen != Network::automatic) return chosen;
-    if (body.in_clusters) return Network::contacts;
     if (std::holds_alternative<ClosePacking>(body.packing)) return Network::unit_cell;
-    return std::holds_alternative<ListedDisks>(body.packing) ? Network::contacts : Network::facets;
+    const bool fills = !body.in_clusters && !std::holds_alternative<ListedDisks>(body.packing);
+    return fills ? Network::facets : Network::contacts;
 }
 
 namespace {
@@ -139,6 +141,7 @@ void check_packing(const Body& body, Findings& findings) {
         check_consolidation(body, *pressed, findings);
     }
     if (const auto* even = std::get_if<Relaxation>(&body.packing)) check_relaxation(body, *even, findings);
+    if (const auto* loose = std::get_if<GrainPacking>(&body.packing)) findings.add(grain_problems(body, *loose));
 }
 
 bool selects_nothing(const Selection& selection) { return !selection.body && !selection.within && !selection.where; }
@@ -280,6 +283,7 @@ std::vector<Problem> check(const Scene& scene, const std::vector<std::string>& m
         check_packing(body, findings);
         check_network(body, findings);
         if (body.material < scene.materials.size()) check_wear(scene, body, findings);
+        findings.add(cluster_problems(body));
     }
     check_periodic(scene, findings);
     for (const Support& support : scene.supports) check_selection(support.selection, "fix", support.place, findings);

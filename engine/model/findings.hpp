@@ -5,6 +5,8 @@
 #include "engine/base/signal.hpp"
 
 #include <optional>
+#include <algorithm>
+#include <iterator>
 #include <set>
 #include <string>
 #include <utility>
@@ -16,6 +18,7 @@ namespace demlua::model {
 struct Findings {
     std::vector<Problem> problems;
 
+    void add(std::vector<Problem> found) { std::move(found.begin(), found.end(), std::back_inserter(problems)); }
     void add(const Place& place, std::string what, std::string value, std::string rule, std::string hint = {}) {
         problems.push_back({place, std::move(what), std::move(value), std::move(rule), std::move(hint)});
     }

@@ -14,6 +14,7 @@ namespace demlua::model::rows {
 inline constexpr Range any{"", [](double /*v*/) { return true; }};
 inline constexpr Range positive{"must be positive", [](double v) { return v > 0.0; }};
 inline constexpr Range non_negative{"must not be negative", [](double v) { return v >= 0.0; }};
+inline constexpr Range lost_share{"must be at least 0 and below 1", [](double v) { return v >= 0.0 && v < 1.0; }};
 inline constexpr Range share{"must be above 0 and at most 1", [](double v) { return v > 0.0 && v <= 1.0; }};
 
 inline constexpr Need required = Need::required;

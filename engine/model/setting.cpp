@@ -41,6 +41,13 @@ Kind kind(const std::optional<Signal>* /*v*/) { return {signal_words, signal_lua
 Kind kind(const SignalPairSlot& /*v*/) { return {std::string("{ x, y }, each ") + signal_words, "table"}; }
 Kind kind(const std::vector<Vec2>* /*v*/) { return {"a list of points { x, y }", "number[][]"}; }
 Kind kind(const std::vector<Disk>* /*v*/) { return {"a list of disks { x, y, radius }", "table[]"}; }
+Kind kind(const ListedDisks* /*v*/) {
+    return {"a list of disks { x, y, radius }, or { x, y, radius, cluster }", "table[]"};
+}
+Kind kind(const std::vector<SizeClass>* /*v*/) {
+    return {"a number, two numbers { least, greatest } or a list of { radius, share }", "number|number[]|table[]"};
+}
+Kind kind(const Cluster* /*v*/) { return {"a cluster made with dem.cluster", "dem.cluster_handle"}; }
 Kind kind(const Region* /*v*/) { return {region_words, "dem.region"}; }
 Kind kind(const WithinSlot& /*v*/) { return {region_words, "dem.region"}; }
 Kind kind(const WhereSlot& /*v*/) {

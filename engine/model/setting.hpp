@@ -60,9 +60,9 @@ struct OwnSlot {
 /// Where a value goes; which alternative it is says what the value may be.
 using Slot = std::variant<double*, std::optional<double>*, bool*, int*, std::uint64_t*, std::string*, Vec2*,
                           std::optional<Vec2>*, std::optional<IdPair>*, Signal*, std::optional<Signal>*, SignalPairSlot,
-                          std::vector<Vec2>*, std::vector<Disk>*, Region*, Spacing*, PackingChoice*, BondChoice*,
-                          std::optional<Servo>*, Selection*, WithinSlot, WhereSlot, MaterialSlot, BodySlot, ChoiceSlot,
-                          OwnSlot, Callback*>;
+                          std::vector<Vec2>*, std::vector<Disk>*, ListedDisks*, std::vector<SizeClass>*, Cluster*,
+                          Region*, Spacing*, PackingChoice*, BondChoice*, std::optional<Servo>*, Selection*, WithinSlot,
+                          WhereSlot, MaterialSlot, BodySlot, ChoiceSlot, OwnSlot, Callback*>;
 
 /// What a slot takes, in words for people and for lua-language-server.
 struct Kind {

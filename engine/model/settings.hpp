@@ -39,6 +39,21 @@ struct DiskSaid {
     double x = 0.0;
     double y = 0.0;
     double radius = 0.0;
+    std::optional<double> cluster;
+};
+struct GrainsSaid {
+    std::string name;
+    std::size_t material = 0;
+    Region region;
+    Cluster shape{.elements = 1, .disks = {}, .bonds = {}, .rigid = false};
+    std::vector<SizeClass> sizes;
+    std::optional<double> porosity;
+    Placing method = Placing::consolidation;
+    std::uint64_t count = 0;
+    double removed = 0.0;
+    Vec2 velocity;
+    std::uint64_t seed = 1;
+    Place place;
 };
 struct RampSaid {
     double to = 0.0;
@@ -110,6 +125,10 @@ const WordOf<BrittleTensileBonds>& brittle_tensile();
 const WordOf<BrittleToughnessBonds>& brittle_toughness();
 const WordOf<CohesiveBonds>& cohesive();
 const WordOf<Body>& body();
+const WordOf<Cluster>& cluster();
+/// One item of the list that `radius` of sim:grains may be.
+const WordOf<SizeClass>& size_class();
+const WordOf<GrainsSaid>& grains();
 const WordOf<ShiftSaid>& set_velocity();
 
 const WordOf<Support>& fix();

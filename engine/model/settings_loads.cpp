@@ -259,6 +259,8 @@ const std::vector<const Word*>& all_words() {
                                                 &words::brittle_toughness(),
                                                 &words::cohesive(),
                                                 &words::body(),
+                                                &words::cluster(),
+                                                &words::grains(),
                                                 &words::set_velocity(),
                                                 &words::fix(),
                                                 &words::move(),

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace demlua::model::words {
 
@@ -14,6 +15,8 @@ namespace {
 constexpr Range ratio{"must lie between -1 and 0.5", [](double v) { return v > -1.0 && v < 0.5; }};
 constexpr Range step_share{"must be above 0 and below 1", [](double v) { return v > 0.0 && v < 1.0; }};
 constexpr Range solid{"must be above 0 and at most 0.9", [](double v) { return v > 0.0 && v <= 0.9; }};
+constexpr Range number_of_cluster{"must be a whole number from 0 on",
+                                  [](double v) { return v >= 0.0 && v < 4294967295.0 && v == std::floor(v); }};
 constexpr Range cluster_size{"must be 1, 2, 3, 4 or 7", [](double v) {
                                  constexpr std::array sizes{1.0, 2.0, 3.0, 4.0, 7.0};
                                  return std::find(sizes.begin(), sizes.end(), v) != sizes.end();
@@ -163,6 +166,9 @@ const WordOf<ClosePacking>& close_packed() {
                 R"("centres": an element stays when its centre lies in the region; "inside": when its whole disk does)"),
             row<&ClosePacking::origin>("origin", "m", optional, any,
                                        "a lattice point; else the lattice starts at the region's lower left"),
+            row<&ClosePacking::removed>("removed", "", optional, lost_share,
+                                        "share of the elements taken away at random, for a porous solid"),
+            row<&ClosePacking::seed>("seed", "", optional, non_negative, "which elements are taken away"),
         });
     return made;
 }
@@ -180,6 +186,8 @@ const WordOf<Consolidation>& consolidated() {
                                                 "area of the disks over the area of the region"),
             row<&Consolidation::relax>("relax", "", optional, non_negative,
                                        "steps of Lloyd's method afterwards, which make the distances even"),
+            row<&Consolidation::removed>("removed", "", optional, lost_share,
+                                         "share of the elements taken away at random in the end, for a porous solid"),
             row<&Consolidation::seed>("seed", "", optional, non_negative, "same seed, same pack"),
         });
     return made;
@@ -216,7 +224,10 @@ const WordOf<DiskSaid>& disk() {
         word<DiskSaid>("disks", "One disk of dem.disks.", "", "{ x = 0, y = 0, radius = 0.01 }",
                        {row<&DiskSaid::x>("x", "m", required, any, "of the centre").at(1),
                         row<&DiskSaid::y>("y", "m", required, any, "of the centre").at(2),
-                        row<&DiskSaid::radius>("radius", "m", required, positive, "of the disk").at(3)});
+                        row<&DiskSaid::radius>("radius", "m", required, positive, "of the disk").at(3),
+                        row<&DiskSaid::cluster>("cluster", "", optional, number_of_cluster,
+                                                "which cluster it belongs to, for all disks or for none")
+                            .at(4)});
     return made;
 }
 
@@ -224,7 +235,8 @@ const WordOf<ListedDisks>& disks() {
     static const WordOf<ListedDisks> made =
         word<ListedDisks>("dem.disks", "Elements put down one by one; a body packed so needs no region.", "a packing",
                           "dem.disks { { 0, 0, 0.01 }, { x = 0.02, y = 0, radius = 0.01 } }",
-                          {row<&ListedDisks::disks>("list", "m", required, any, "the disks").at(whole_list)});
+                          {Row<ListedDisks>{{"list", [](void* said) -> Slot { return static_cast<ListedDisks*>(said); },
+                                             "m", required, any, "the disks", whole_list}}});
     return made;
 }
 
@@ -241,6 +253,8 @@ const WordOf<Body>& body() {
             row<&Body::velocity>("velocity", "m/s", optional, any, "at the start"),
             row<&Body::spin>("spin", "rad/s", optional, any, "at the start, about the centre of mass"),
             row<&Body::rigid>("rigid", optional, "move as one piece; bonds then have nothing to do"),
+            row<&Body::in_clusters>("in_clusters", optional,
+                                    "bonds or rigid hold each cluster of the packing together, not the whole body"),
         });
     return made;
 }

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <optional>
 #include <type_traits>
 
@@ -69,6 +70,21 @@ Json packing_json(const model::Relaxation& packing) {
 
 Json packing_json(const model::ListedDisks& packing) { return {{"kind", "disks"}, {"count", packing.disks.size()}}; }
 
+Json packing_json(const model::GrainPacking& packing) {
+    constexpr std::array names{"consolidation", "insertion", "rain"}; // as the alternatives of Placing
+    Json json{{"kind", "grains"},
+              {"method", names.at(static_cast<std::size_t>(packing.method))},
+              {"elements", packing.disks.empty() ? static_cast<std::size_t>(packing.elements) : packing.disks.size()},
+              {"removed", packing.removed},
+              {"seed", packing.seed}};
+    for (const model::SizeClass& each : packing.sizes) {
+        json["radius"].push_back({{"least", each.least}, {"greatest", each.greatest}, {"share", each.share}});
+    }
+    put(json, "porosity", packing.porosity);
+    if (packing.count > 0) json["count"] = packing.count;
+    return json;
+}
+
 Json bonds_json(const model::NoBonds& /*none*/) { return {{"law", "none"}}; }
 
 template <class Choice>
@@ -90,6 +106,7 @@ Json body_json(const model::Body& body, const model::Scene& scene, std::size_t c
     json["velocity"] = pair_json(body.velocity);
     json["spin"] = body.spin;
     json["rigid"] = body.rigid;
+    if (body.in_clusters) json["in_clusters"] = true;
     return json;
 }
 
@@ -99,6 +116,7 @@ Json seeds_json(const model::Scene& scene) {
     for (const auto& body : scene.bodies) {
         if (const auto* pressed = std::get_if<model::Consolidation>(&body.packing)) json[body.name] = pressed->seed;
         if (const auto* even = std::get_if<model::Relaxation>(&body.packing)) json[body.name] = even->seed;
+        if (const auto* loose = std::get_if<model::GrainPacking>(&body.packing)) json[body.name] = loose->seed;
     }
     return json;
 }

@@ -82,6 +82,30 @@ std::optional<std::string> inputs_of(const model::Region& region, const Relaxati
     return bytes;
 }
 
+std::optional<std::string> inputs_of(const model::Region& region, const model::GrainPacking& settings) {
+    if (settings.method == model::Placing::insertion) return std::nullopt;
+    std::string bytes = "grains";
+    append(bytes, region);
+    append(bytes, settings.elements);
+    append(bytes, static_cast<std::uint64_t>(settings.disks.size()));
+    for (const model::Disk& disk : settings.disks) {
+        append(bytes, disk.centre);
+        append(bytes, disk.radius);
+    }
+    append(bytes, static_cast<std::uint64_t>(settings.sizes.size()));
+    for (const model::SizeClass& each : settings.sizes) {
+        append(bytes, each.least);
+        append(bytes, each.greatest);
+        append(bytes, each.share);
+    }
+    append(bytes, static_cast<int>(settings.method));
+    append(bytes, settings.porosity.value_or(0.0));
+    append(bytes, settings.count);
+    append(bytes, settings.removed);
+    append(bytes, settings.seed);
+    return bytes;
+}
+
 std::string bytes_of(const Packing& packing) {
     std::string bytes;
     append_all(bytes, packing.centre);

@@ -23,9 +23,10 @@ public:
 };
 
 /// Everything a pack follows from, number for number: the pieces of the boundary and the settings. Nothing where the
-/// user's function has a say.
+/// user's function has a say, or where making grains anew is as quick as reading them.
 std::optional<std::string> inputs_of(const model::Region& region, const Consolidation& settings);
 std::optional<std::string> inputs_of(const model::Region& region, const Relaxation& settings);
+std::optional<std::string> inputs_of(const model::Region& region, const model::GrainPacking& settings);
 
 /// A pack as bytes, as this machine writes numbers, and back; nothing where the bytes are no pack.
 std::string bytes_of(const Packing& packing);

@@ -5,6 +5,7 @@
 #include "engine/model/check_fracture.hpp"
 #include "engine/model/derived_law.hpp"
 #include "engine/packing/disk_union.hpp"
+#include "engine/packing/grains.hpp"
 #include "engine/packing/packing.hpp"
 #include "engine/state/bond_assembly.hpp"
 #include "engine/state/parts.hpp"
@@ -35,14 +36,22 @@ packing::Packing listed(const model::ListedDisks& list) {
     return pack;
 }
 
+template <class Choice>
+packing::Packing porous(packing::Packing whole, const Choice& choice) {
+    return choice.removed > 0.0 ? packing::thinned(whole, choice.removed, choice.seed) : std::move(whole);
+}
+
 packing::Packing packed(const model::Body& body, const packing::PackStore* packs) {
     return std::visit(
         [&](const auto& choice) -> packing::Packing {
             using Choice = std::decay_t<decltype(choice)>;
             if constexpr (std::is_same_v<Choice, model::ClosePacking>) {
-                return packing::close_packed(body.region, choice.radius, choice.rows, choice.fit, choice.origin);
+                return porous(packing::close_packed(body.region, choice.radius, choice.rows, choice.fit, choice.origin),
+                              choice);
             } else if constexpr (std::is_same_v<Choice, model::Consolidation>) {
-                return packing::kept(packs, body.region, choice, packing::consolidated);
+                return porous(packing::kept(packs, body.region, choice, packing::consolidated), choice);
+            } else if constexpr (std::is_same_v<Choice, model::GrainPacking>) {
+                return packing::kept(packs, body.region, choice, packing::grains);
             } else if constexpr (std::is_same_v<Choice, model::Relaxation>) {
                 return packing::kept(packs, body.region, choice, packing::relaxed);
             } else if constexpr (std::is_same_v<Choice, model::ListedDisks>) {

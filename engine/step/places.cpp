@@ -13,9 +13,9 @@ Places places_of(const state::State& state, double reach) {
         places.at.push_back(at);
         places.element.push_back(static_cast<Index>(k));
     }
+    places.first_image = places.at.size();
     if (!state.period.repeats()) return places;
-    const std::size_t count = places.at.size();
-    for (std::size_t p = 0; p < count; ++p) {
+    for (std::size_t p = 0; p < places.first_image; ++p) {
         if (places.at[p].x - state.period.left > reach) continue;
         places.at.push_back(places.at[p] + Vec2{state.period.length, 0.0});
         places.element.push_back(places.element[p]);

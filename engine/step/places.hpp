@@ -4,6 +4,7 @@
 #include "engine/base/vec2.hpp"
 #include "engine/state/state.hpp"
 
+#include <cstddef>
 #include <vector>
 
 namespace demlua::step {
@@ -13,6 +14,7 @@ namespace demlua::step {
 struct Places {
     std::vector<Vec2> at; ///< m
     std::vector<Index> element;
+    std::size_t first_image = 0; ///< row from which on places are images
 };
 
 /// With images of all that stand within `reach` (m) of the left edge.

@@ -68,6 +68,7 @@ std::vector<Candidate> candidates(const state::State& state, Search& search) {
     std::vector<Candidate> found;
     search.grid.build(places.at, reach);
     search.grid.for_each_pair(reach, [&](Index a, Index b) {
+        if (std::min(a, b) >= places.first_image) return;
         const Index i = std::min(places.element[a], places.element[b]);
         const Index j = std::max(places.element[a], places.element[b]);
         double reference = touch_of(state, i, j);
