@@ -7,7 +7,7 @@
 -- Why so: smooth platens press slowly, so that inertia adds little; the sides are pulled in by a force on the disks that stand
 -- out, every second row, which is where a uniform stress in a lattice comes to its edge: the first and last row must be inner
 -- ones. s1 and s3 are then exact at any size. Disks are hard against s3, so that angles are still 60 degrees at the peak.
--- Dashpots and a drag that is slow against the motion of single disks keep the bed from ringing.
+-- Dashpots in the contacts keep the bed from ringing; a drag on the disks would carry part of the load.
 local dem = require "dem"
 
 local p = dem.param {
