@@ -64,9 +64,9 @@ local function weigh()
 end
 sim:run { duration = 0.3 } -- until it runs evenly
 local a, begin = weigh()
-sim:run { duration = 0.3 }
+sim:run { duration = 0.25 }
 local b, middle = weigh()
-sim:run { duration = 0.3 }
+sim:run { duration = 0.25 }
 local c, ending = weigh()
 
 local flow, early, late = {}, 0, 0
