@@ -3,7 +3,8 @@
 --           friction enough, and flatter with less.
 -- See:      three blocks of disks, each between two walls; the walls are lifted slowly, and the disks run out until a heap is
 --           left: the more friction, the steeper.
--- Takes:    twenty seconds.
+-- Takes:    half a minute.
+-- Quick:    no
 local dem = require "dem"
 
 local p = dem.param {

@@ -3,6 +3,7 @@
 --           the filling (Beverloo, Leniger & van de Velde, Chem. Eng. Sci. 15 (1961) 260, in two dimensions).
 -- See:      three hoppers side by side with outlets 6, 9 and 12 disks wide, whose slides are drawn at half a second.
 -- Takes:    half a minute.
+-- Quick:    no
 local dem = require "dem"
 
 local p = dem.param {

@@ -3,6 +3,7 @@
 --           By itself: momentum, floor and sides carry the weight.
 -- See:      the kinetic energy in history.csv rises while the disks fall, and dies away when they have met.
 -- Takes:    five seconds.
+-- Quick:    --set layers=15 --set duration=1
 local dem = require "dem"
 
 local p = dem.param {
