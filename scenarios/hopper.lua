@@ -19,7 +19,7 @@ math.randomseed(p.seed)
 
 local sim = dem.simulation { title = "Three hoppers", plane = "stress", gravity = { 0, -gravity } }
 local grain = dem.material {
-  name = "grain", youngs_modulus = 3e6, poissons_ratio = 0.2, density = 2000, friction = p.friction, restitution = 0.3,
+  name = "grain", youngs_modulus = 1.5e6, poissons_ratio = 0.2, density = 2000, friction = p.friction, restitution = 0.3,
 }
 local pitch = 2.1 * largest
 local width, high = pitch * (p.columns + 0.5), 1.1 * pitch * p.layers
