@@ -24,6 +24,10 @@ local grain = dem.material {
 local pitch = 2.1 * largest
 local width, high = pitch * (p.columns + 0.5), 1.1 * pitch * p.layers
 
+-- Far enough below not to back up, near enough for no disk to become so fast that the search for contacts is kept busy.
+local ground = -0.4
+sim:wall { name = "ground", path = { { 0, ground }, { 1.5 * width * (#outlets + 1), ground } } }
+
 local hoppers = {}
 for n, share in ipairs(outlets) do
   local middle, opening = 1.5 * width * n, share * diameter
