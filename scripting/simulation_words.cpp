@@ -278,7 +278,7 @@ void add_simulation(lua_State* L) {
     define<SimulationHandle>(L, nullptr);
     luaL_getmetatable(L, object_name<SimulationHandle>);
     lua_createtable(L, 0, 19);
-    constexpr std::array<luaL_Reg, 18> methods{
+    constexpr std::array<luaL_Reg, 19> methods{
         {{"body", guarded<body>},
          {"grains", guarded<grains>},
          {"fix", guarded<fix>},

@@ -4,9 +4,9 @@
 #include "engine/base/problems.hpp"
 #include "engine/base/signal.hpp"
 
-#include <optional>
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
