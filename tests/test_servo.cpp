@@ -1,6 +1,6 @@
 // Walls that seek a stress or a force.
+#include "engine/state/state.hpp"
 #include "tests/catch.hpp"
-#include "tests/scene_language.hpp"
 #include "tests/scenes.hpp"
 
 #include <algorithm>
@@ -159,44 +159,4 @@ TEST_CASE("a servo wall that meets nothing stops the run", "[servo]") {
     observe::Simulation sim(scene, 1);
     CHECK_THROWS_WITH(sim.run(10.0, {}), Catch::Contains("wall \"lid\" has met nothing on its way of 0.05"));
     CHECK(sim.wall_motion(1).position.y == Approx(4.0 * R + 0.15).margin(1e-3));
-}
-
-TEST_CASE("servos are said, changed and ended in a scene", "[servo]") {
-    test::BareHost host;
-    test::run(test::rock + R"(
-        local sim = dem.simulation {}
-        local disk = sim:body { name = "disk", material = rock, packing = dem.disks { { 0, 0, 0.1 } } }
-        sim:fix { disk }
-        local lid = sim:wall { name = "lid", path = { { -1, 0.11 }, { 1, 0.11 } }, servo = { stress_y = function(t) return 1e4 end } }
-        sim:run { duration = 0.2 }
-        dem.result { one = lid.stress.y }
-        lid:move { servo = { force_y = 3e4 } }
-        sim:run { duration = 0.2 }
-        dem.result { two = sim.now.wall.lid.force.y }
-        lid:move { stop = true, velocity_y = 0.1 }
-        sim:run { duration = 0.2 }
-        dem.result { three = lid.force.y, speed = lid.velocity.y })",
-              host);
-    CHECK(host.number("one") == Approx(1e4).epsilon(1e-3));
-    CHECK(host.number("two") == Approx(3e4).epsilon(1e-3));
-    CHECK(host.number("three") == 0.0);
-    CHECK(host.number("speed") == Approx(0.1));
-}
-
-TEST_CASE("servos that cannot be are refused", "[servo]") {
-    const auto problems = [](const std::string& servo) {
-        return test::problems_of([&] {
-            test::checked(test::stone + "sim:wall { name = 'lid', path = { { 5, 0 }, { 6, 0 } }, servo = " + servo +
-                          " }\nsim:run { duration = 1 }");
-        });
-    };
-    const auto contains = [](const std::vector<std::string>& messages, const std::string& words) {
-        return messages.size() == 1 && messages[0].find(words) != std::string::npos;
-    };
-    CHECK(problems("{ stress_y = 1e5 }").empty());
-    CHECK(contains(problems("{}"), "wall.servo: seeks nothing"));
-    CHECK(contains(problems("{ stress_x = 1 }"), "wall.servo.stress_x: needs a wall with a height"));
-    CHECK(contains(problems("{ stress_y = 1, force_y = 1 }"), "wall.servo.force_y: must not be given beside stress_y"));
-    CHECK(contains(problems("{ stress_y = 1, gain = 2 }"), "wall.servo.gain"));
-    CHECK(contains(problems("{ strain_y = 1 }"), "wall.servo.strain_y"));
 }
