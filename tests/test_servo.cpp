@@ -14,6 +14,9 @@ namespace {
 
 constexpr double R = 5e-3;
 constexpr double g = 9.81;
+/// A contact first seen within a step leaves up to K (v dt)^2/8 unexplained. At this share of the stable step that is below
+/// 1e-3 of what the walls do here.
+constexpr double impact_step = 0.1;
 
 model::Material grains() {
     model::Material material = test::concrete();
@@ -43,6 +46,7 @@ model::Scene column_under_lid(std::size_t count, double gap, const model::Servo&
     scene.walls.push_back(wall_along("floor", {{-R, 0.0}, {R, 0.0}}));
     scene.walls.push_back(wall_along("lid", {{-R, top}, {R, top}}));
     scene.walls[1].servo = servo;
+    scene.step_fraction = impact_step;
     return scene;
 }
 
@@ -115,6 +119,7 @@ TEST_CASE("a servo presses towards the elements along either axis and from eithe
     (along_x ? wall.velocity_y : wall.velocity_x) = Signal::constant(0.2); // goes on along the other
     scene.walls.push_back(wall);
     scene.materials[0].friction = 0.0;
+    scene.step_fraction = impact_step;
     observe::Simulation sim(scene, 1);
     sim.run(0.1, {});
     const observe::WallMotion motion = sim.wall_motion(0);
@@ -129,6 +134,7 @@ TEST_CASE("a servo presses towards the elements along either axis and from eithe
 TEST_CASE("a bed in a box comes to rest under a servo lid", "[servo]") {
     model::Scene scene = test::scene_of(grains());
     scene.gravity = {0.0, -g};
+    scene.step_fraction = impact_step;
     std::vector<model::Disk> list;
     for (int row = 0; row < 8; ++row) {
         for (int column = 0; column < 9; ++column) {
@@ -157,6 +163,7 @@ TEST_CASE("a servo wall that meets nothing stops the run", "[servo]") {
     servo.travel = 0.05;
     model::Scene scene = column_under_lid(2, 0.2, servo);
     observe::Simulation sim(scene, 1);
-    CHECK_THROWS_WITH(sim.run(10.0, {}), Catch::Contains("wall \"lid\" has met nothing on its way of 0.05"));
+    CHECK_THROWS_WITH(sim.run(10.0, {}),
+                      Catch::Matchers::ContainsSubstring("wall \"lid\" has met nothing on its way of 0.05"));
     CHECK(sim.wall_motion(1).position.y == Approx(4.0 * R + 0.15).margin(1e-3));
 }

@@ -37,10 +37,10 @@ model::Scene over_teeth() {
     model::Scene scene = test::scene_of(bouncing(0.5, 0.4));
     scene.materials[0].youngs_modulus = 1e7;
     scene.gravity = {0.0, -9.81};
-    scene.walls.push_back(wall_along("rough", model::sawtooth({-0.05, -0.01}, {0.45, 0.01}, 1e-3, 2e-3)));
+    scene.walls.push_back(wall_along("rough", model::sawtooth({-0.05, -0.01}, {0.45, 0.01}, 1e-3, 1.5e-3)));
     scene.walls.push_back(wall_along("box", {{-0.05, 0.4}, {-0.05, -0.01}, {0.45, -0.01}, {0.45, 0.4}}));
     std::vector<model::Disk> list;
-    for (int row = 0; row < 30; ++row) {
+    for (int row = 0; row < 32; ++row) {
         for (int column = 0; column < 36; ++column) {
             const double size = R * (0.8 + 0.2 * ((7 * row + 3 * column) % 5) / 5.0);
             list.push_back({{0.013 * column - 0.03, 0.025 + 0.011 * row}, size});
@@ -178,6 +178,7 @@ TEST_CASE("a wall turns about its centre and drags along what lies on it", "[wal
         // A disk pressed into the closed path of a wheel rolls off it: where both surfaces move alike, w R = W r.
         model::Scene scene = test::scene_of(bouncing(0.5, 0.8));
         scene.materials[0].youngs_modulus = 1e7;
+        scene.step_fraction = 0.1;
         std::vector<Vec2> circle;
         for (int k = 0; k < 400; ++k) {
             circle.push_back(0.02 * turned({0.0, 1.0}, 2.0 * std::numbers::pi * k / 400.0));
@@ -199,7 +200,7 @@ TEST_CASE("a wall turns about its centre and drags along what lies on it", "[wal
         observe::Simulation sim(scene, 1);
         sim.run(0.5, {});
         CHECK(sim.body_motion(0).spin == Approx(-10.0 * 0.02 / R).epsilon(2e-3));
-        CHECK(std::fabs(sim.ledger().error) < 1e-3 * sim.ledger().friction);
+        CHECK(std::fabs(sim.ledger().error) < 1e-3 * sim.ledger().work);
     }
 }
 
@@ -210,12 +211,13 @@ TEST_CASE("what would pass a wall unseen stops the run", "[walls]") {
     SECTION("a wall too fast") {
         scene.walls[0].velocity_y = Signal::constant(2e4);
         observe::Simulation sim(scene, 1);
-        CHECK_THROWS_WITH(sim.run(1e-3, {}), Catch::Contains("wall \"floor\" moved at (0, 20000) m/s"));
+        CHECK_THROWS_WITH(sim.run(1e-3, {}),
+                          Catch::Matchers::ContainsSubstring("wall \"floor\" moved at (0, 20000) m/s"));
     }
     SECTION("a wall that turns too fast") {
         scene.walls[0].spin = Signal::constant(2e4);
         observe::Simulation sim(scene, 1);
-        CHECK_THROWS_WITH(sim.run(1e-3, {}), Catch::Contains("wall \"floor\" moved"));
+        CHECK_THROWS_WITH(sim.run(1e-3, {}), Catch::Matchers::ContainsSubstring("wall \"floor\" moved"));
     }
     SECTION("an element pressed through") {
         // Overlap v sqrt(m/K) would be more than half the radius.
@@ -223,8 +225,8 @@ TEST_CASE("what would pass a wall unseen stops the run", "[walls]") {
         scene.bodies[0].velocity = {0.0, -20.0};
         scene.step_fraction = 0.1;
         observe::Simulation sim(scene, 1);
-        CHECK_THROWS_WITH(sim.run(1.0, {}),
-                          Catch::Contains("element 0 of body \"shot\"") && Catch::Contains("into wall \"floor\""));
+        CHECK_THROWS_WITH(sim.run(1.0, {}), Catch::Matchers::ContainsSubstring("element 0 of body \"shot\"") &&
+                                                Catch::Matchers::ContainsSubstring("into wall \"floor\""));
         CHECK(sim.body_motion(0).centre.y > 0.0);
     }
     SECTION("at the greatest moves allowed nothing gets through") {
@@ -238,13 +240,14 @@ TEST_CASE("what would pass a wall unseen stops the run", "[walls]") {
             fast.bodies[0].velocity = {0.0, -0.499 * R / dt};
             fast.walls[0].velocity_y = Signal::constant(0.499 * R / dt);
             observe::Simulation sim(fast, 1);
-            CHECK_THROWS_WITH(sim.run(10.0 * dt, {}), Catch::Contains("into wall \"floor\""));
+            CHECK_THROWS_WITH(sim.run(10.0 * dt, {}), Catch::Matchers::ContainsSubstring("into wall \"floor\""));
         }
     }
     SECTION("an element across a wall at the start") {
         scene.bodies[0] = test::disks("shot", {{{0.0, 0.8 * R}, R}}, model::NoBonds{});
         CHECK_THROWS_WITH(observe::Simulation(scene, 1),
-                          Catch::Contains("\"floor\"") && Catch::Contains("\"shot\", by 20 % of its radius"));
+                          Catch::Matchers::ContainsSubstring("\"floor\"") &&
+                              Catch::Matchers::ContainsSubstring("\"shot\", by 20 % of its radius"));
     }
 }
 
