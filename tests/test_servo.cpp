@@ -35,8 +35,10 @@ model::Wall wall_along(const std::string& name, std::vector<Vec2> path) {
 /// `count` disks one upon another on a floor, kept from leaving the line, and a lid above them.
 model::Scene column_under_lid(std::size_t count, double gap, const model::Servo& servo) {
     model::Scene scene = test::scene_of(grains());
+    constexpr double apart = 1.0 + 1e-7; // so that nothing touches before the lid comes
     std::vector<model::Disk> list;
-    for (std::size_t k = 0; k < count; ++k) list.push_back({{0.0, (2.0 * static_cast<double>(k) + 1.0) * R}, R});
+    for (std::size_t k = 0; k < count; ++k)
+        list.push_back({{0.0, apart * (2.0 * static_cast<double>(k) + 1.0) * R}, R});
     scene.bodies.push_back(test::disks("column", list, model::NoBonds{}));
     model::Support upright;
     upright.selection = test::all_of(0);
@@ -93,11 +95,13 @@ TEST_CASE("a servo follows a stress that changes, and lets go", "[servo]") {
     observe::Simulation sim(column_under_lid(6, 0.1 * R, stress_along_y(stress)), 1);
     sim.run(0.1, {});
     double worst = 0.0;
+    double stored = 0.0;
     sim.run(0.8, {test::watching(1e-3, [&](observe::Simulation& now) {
+                stored = std::max(stored, now.ledger().contacts);
                 worst = std::max(worst, std::fabs(now.wall_motion(1).stress.y - stress.at(now.time())));
             })});
     CHECK(worst < 0.01 * 200e3);
-    CHECK(std::fabs(sim.ledger().error) < 1e-3 * (sim.ledger().contact_damping + std::fabs(sim.ledger().work)));
+    CHECK(std::fabs(sim.ledger().error) < 1e-3 * stored); // what the lid put in, and took back
 }
 
 TEST_CASE("a servo presses towards the elements along either axis and from either side", "[servo]") {
