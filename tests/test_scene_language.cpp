@@ -213,7 +213,10 @@ TEST_CASE("every word explains itself, and the manual in docs is what the words 
         CHECK_FALSE(word->meaning.empty());
         CHECK_FALSE(word->example.empty());
         CHECK_THAT(words_as_text(word->name()), Catch::Matchers::ContainsSubstring(word->call));
-        CHECK_THAT(words_as_editor_stub(), Catch::Matchers::ContainsSubstring("function " + word->call + "("));
+        const std::string function = "function " + word->call + "(";
+        const bool is_table = word->call == "wall.servo"; // said within another word's table
+        CHECK_THAT(words_as_editor_stub(),
+                   Catch::Matchers::ContainsSubstring(is_table ? "dem.wall_servo_settings" : function));
     }
     CHECK_THAT(words_as_text("elastic"), Catch::Matchers::ContainsSubstring("search [0.1]"));
     CHECK(words_as_text("elastc") == "unknown word \"elastc\"; did you mean \"elastic\"?\n");

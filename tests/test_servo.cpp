@@ -1,6 +1,6 @@
 // Walls that seek a stress or a force.
+#include "engine/state/state.hpp"
 #include "tests/catch.hpp"
-#include "tests/scene_language.hpp"
 #include "tests/scenes.hpp"
 
 #include <algorithm>
@@ -14,6 +14,9 @@ namespace {
 
 constexpr double R = 5e-3;
 constexpr double g = 9.81;
+/// A contact first seen within a step leaves up to K (v dt)^2/8 unexplained. At this share of the stable step that is below
+/// 1e-3 of what the walls do here.
+constexpr double impact_step = 0.1;
 
 model::Material grains() {
     model::Material material = test::concrete();
@@ -32,8 +35,10 @@ model::Wall wall_along(const std::string& name, std::vector<Vec2> path) {
 /// `count` disks one upon another on a floor, kept from leaving the line, and a lid above them.
 model::Scene column_under_lid(std::size_t count, double gap, const model::Servo& servo) {
     model::Scene scene = test::scene_of(grains());
+    constexpr double apart = 1.0 + 1e-7; // so that nothing touches before the lid comes
     std::vector<model::Disk> list;
-    for (std::size_t k = 0; k < count; ++k) list.push_back({{0.0, (2.0 * static_cast<double>(k) + 1.0) * R}, R});
+    for (std::size_t k = 0; k < count; ++k)
+        list.push_back({{0.0, apart * (2.0 * static_cast<double>(k) + 1.0) * R}, R});
     scene.bodies.push_back(test::disks("column", list, model::NoBonds{}));
     model::Support upright;
     upright.selection = test::all_of(0);
@@ -43,6 +48,7 @@ model::Scene column_under_lid(std::size_t count, double gap, const model::Servo&
     scene.walls.push_back(wall_along("floor", {{-R, 0.0}, {R, 0.0}}));
     scene.walls.push_back(wall_along("lid", {{-R, top}, {R, top}}));
     scene.walls[1].servo = servo;
+    scene.step_fraction = impact_step;
     return scene;
 }
 
@@ -89,11 +95,13 @@ TEST_CASE("a servo follows a stress that changes, and lets go", "[servo]") {
     observe::Simulation sim(column_under_lid(6, 0.1 * R, stress_along_y(stress)), 1);
     sim.run(0.1, {});
     double worst = 0.0;
+    double stored = 0.0;
     sim.run(0.8, {test::watching(1e-3, [&](observe::Simulation& now) {
+                stored = std::max(stored, now.ledger().contacts);
                 worst = std::max(worst, std::fabs(now.wall_motion(1).stress.y - stress.at(now.time())));
             })});
     CHECK(worst < 0.01 * 200e3);
-    CHECK(std::fabs(sim.ledger().error) < 1e-3 * (sim.ledger().contact_damping + std::fabs(sim.ledger().work)));
+    CHECK(std::fabs(sim.ledger().error) < 1e-3 * stored); // what the lid put in, and took back
 }
 
 TEST_CASE("a servo presses towards the elements along either axis and from either side", "[servo]") {
@@ -115,6 +123,7 @@ TEST_CASE("a servo presses towards the elements along either axis and from eithe
     (along_x ? wall.velocity_y : wall.velocity_x) = Signal::constant(0.2); // goes on along the other
     scene.walls.push_back(wall);
     scene.materials[0].friction = 0.0;
+    scene.step_fraction = impact_step;
     observe::Simulation sim(scene, 1);
     sim.run(0.1, {});
     const observe::WallMotion motion = sim.wall_motion(0);
@@ -129,6 +138,7 @@ TEST_CASE("a servo presses towards the elements along either axis and from eithe
 TEST_CASE("a bed in a box comes to rest under a servo lid", "[servo]") {
     model::Scene scene = test::scene_of(grains());
     scene.gravity = {0.0, -g};
+    scene.step_fraction = impact_step;
     std::vector<model::Disk> list;
     for (int row = 0; row < 8; ++row) {
         for (int column = 0; column < 9; ++column) {
@@ -157,46 +167,7 @@ TEST_CASE("a servo wall that meets nothing stops the run", "[servo]") {
     servo.travel = 0.05;
     model::Scene scene = column_under_lid(2, 0.2, servo);
     observe::Simulation sim(scene, 1);
-    CHECK_THROWS_WITH(sim.run(10.0, {}), Catch::Contains("wall \"lid\" has met nothing on its way of 0.05"));
+    CHECK_THROWS_WITH(sim.run(10.0, {}),
+                      Catch::Matchers::ContainsSubstring("wall \"lid\" has met nothing on its way of 0.05"));
     CHECK(sim.wall_motion(1).position.y == Approx(4.0 * R + 0.15).margin(1e-3));
-}
-
-TEST_CASE("servos are said, changed and ended in a scene", "[servo]") {
-    test::BareHost host;
-    test::run(test::rock + R"(
-        local sim = dem.simulation {}
-        local disk = sim:body { name = "disk", material = rock, packing = dem.disks { { 0, 0, 0.1 } } }
-        sim:fix { disk }
-        local lid = sim:wall { name = "lid", path = { { -1, 0.11 }, { 1, 0.11 } }, servo = { stress_y = function(t) return 1e4 end } }
-        sim:run { duration = 0.2 }
-        dem.result { one = lid.stress.y }
-        lid:move { servo = { force_y = 3e4 } }
-        sim:run { duration = 0.2 }
-        dem.result { two = sim.now.wall.lid.force.y }
-        lid:move { stop = true, velocity_y = 0.1 }
-        sim:run { duration = 0.2 }
-        dem.result { three = lid.force.y, speed = lid.velocity.y })",
-              host);
-    CHECK(host.number("one") == Approx(1e4).epsilon(1e-3));
-    CHECK(host.number("two") == Approx(3e4).epsilon(1e-3));
-    CHECK(host.number("three") == 0.0);
-    CHECK(host.number("speed") == Approx(0.1));
-}
-
-TEST_CASE("servos that cannot be are refused", "[servo]") {
-    const auto problems = [](const std::string& servo) {
-        return test::problems_of([&] {
-            test::checked(test::stone + "sim:wall { name = 'lid', path = { { 5, 0 }, { 6, 0 } }, servo = " + servo +
-                          " }\nsim:run { duration = 1 }");
-        });
-    };
-    const auto contains = [](const std::vector<std::string>& messages, const std::string& words) {
-        return messages.size() == 1 && messages[0].find(words) != std::string::npos;
-    };
-    CHECK(problems("{ stress_y = 1e5 }").empty());
-    CHECK(contains(problems("{}"), "wall.servo: seeks nothing"));
-    CHECK(contains(problems("{ stress_x = 1 }"), "wall.servo.stress_x: needs a wall with a height"));
-    CHECK(contains(problems("{ stress_y = 1, force_y = 1 }"), "wall.servo.force_y: must not be given beside stress_y"));
-    CHECK(contains(problems("{ stress_y = 1, gain = 2 }"), "wall.servo.gain"));
-    CHECK(contains(problems("{ strain_y = 1 }"), "wall.servo.strain_y"));
 }

@@ -296,6 +296,7 @@ std::vector<Problem> check(const Scene& scene, const std::vector<std::string>& m
     for (const Probe& probe : scene.probes) check_probe(probe, measurable, findings);
     for (const BondProbe& probe : scene.bond_probes) check_bond_probe(probe, scene, findings);
     check_names(scene.bodies, "body", findings);
+    check_wall_names(scene, findings);
     check_names(scene.probes, "probe", findings);
     check_names(scene.bond_probes, "bond_probe", findings);
     return std::move(findings.problems);

@@ -82,19 +82,22 @@ struct Said {
 void check_walls(const Scene& scene, Findings& findings) {
     for (const Wall& wall : scene.walls) check_wall(wall, findings);
     for (const Outline& outline : scene.outlines) check_outline(outline, findings);
-    std::vector<Said> said; // both are read as now.wall.NAME
+    const bool meets_walls = !scene.walls.empty() || !scene.outlines.empty();
+    if (meets_walls && scene.greatest_move > greatest_move_at_walls) {
+        findings.add(scene.place, "simulation.greatest_move", text_of(scene.greatest_move),
+                     "must be at most 0.5 in a scene with walls",
+                     "elements that move farther in a step could pass a wall unseen");
+    }
+}
+
+void check_wall_names(const Scene& scene, Findings& findings) {
+    std::vector<Said> said;
     for (const Wall& wall : scene.walls) said.push_back({wall.name, wall.place, "wall.name"});
     for (const Outline& outline : scene.outlines) said.push_back({outline.name, outline.place, "outline.name"});
     std::set<std::string> names;
     for (const Said& each : said) {
         if (each.name.empty() || names.insert(each.name).second) continue;
         findings.add(each.place, each.what, '"' + each.name + '"', "is already the name of another wall or outline");
-    }
-    const bool meets_walls = !scene.walls.empty() || !scene.outlines.empty();
-    if (meets_walls && scene.greatest_move > greatest_move_at_walls) {
-        findings.add(scene.place, "simulation.greatest_move", text_of(scene.greatest_move),
-                     "must be at most 0.5 in a scene with walls",
-                     "elements that move farther in a step could pass a wall unseen");
     }
 }
 

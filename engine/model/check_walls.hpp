@@ -11,4 +11,7 @@ inline constexpr double greatest_move_at_walls = 0.5;
 
 void check_walls(const Scene& scene, Findings& findings);
 
+/// Walls and outlines are read by one kind of name, now.wall.NAME.
+void check_wall_names(const Scene& scene, Findings& findings);
+
 } // namespace demlua::model

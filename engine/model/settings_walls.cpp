@@ -57,7 +57,8 @@ const WordOf<Servo>& servo() {
             row<&Servo::force_x>("force_x", "N", optional, any, "in place of stress_x"),
             row<&Servo::force_y>("force_y", "N", optional, any, "in place of stress_y"),
             row<&Servo::gain>("gain", "", optional, share,
-                              "share of the missing force that a step makes up for while elements stand still"),
+                              "share of the missing force that a step makes up for while elements stand still; contact "
+                              "dashpots make it slower"),
             row<&Servo::max_speed>("max_speed", "m/s", optional, positive,
                                    "else a tenth of sqrt(stress/density), with the mean density of the elements"),
             row<&Servo::travel>("travel", "m", optional, positive,

@@ -5,11 +5,14 @@
 
 namespace demlua::step {
 
-double seek_force(state::Servo& servo, double side, double force, double K, double time, double dt) {
+double seek_force(state::Servo& servo, double side, double force, const Met& met, double time, double dt) {
     const double missing = servo.force.at(time) + side * force;
     double speed = missing > 0.0 ? servo.max_speed : 0.0;
-    if (K > 0.0) speed = std::clamp(servo.gain * missing / (K * dt), -servo.max_speed, servo.max_speed);
-    servo.missed = K > 0.0 ? 0.0 : servo.missed + std::fabs(speed) * dt;
+    if (met.K > 0.0) {
+        const double resistance = met.K * dt / servo.gain + 2.0 * met.C;
+        speed = std::clamp(missing / resistance, -servo.max_speed, servo.max_speed);
+    }
+    servo.missed = met.K > 0.0 ? 0.0 : servo.missed + std::fabs(speed) * dt;
     return side * speed;
 }
 

@@ -30,11 +30,23 @@ void kick(state::State& state, double& velocity, double force, double mass) {
     state.booked.mass_damping += state.alpha * state.dt * mass * mean * mean;
 }
 
+/// What a wall with a servo touches.
+Met met_by(const state::State& state, const state::Wall& wall) {
+    Met met{wall.stiffness, 0.0};
+    if (!wall.servo_x && !wall.servo_y) return met;
+    const state::WallContacts& contacts = state.wall_contacts;
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+        if (contacts.overlap[c] > 0.0 && &state.walls[contacts.wall[c]] == &wall) met.C += contacts.Cn[c];
+    }
+    return met;
+}
+
 void set_velocity(state::State& state, state::Wall& wall) {
+    const Met met = met_by(state, wall);
     const double middle = state.time + 0.5 * state.dt;
     const auto given = [&](std::optional<state::Servo>& servo, const std::optional<Signal>& velocity, double side,
                            double force) {
-        if (servo) return seek_force(*servo, side, force, wall.stiffness, middle, state.dt);
+        if (servo) return seek_force(*servo, side, force, met, middle, state.dt);
         return velocity->at(middle);
     };
     const Vec2 force = wall.force + wall.weight(state.gravity);
