@@ -98,6 +98,45 @@ sim:probe { beam.bottom, name = "support", measure = "force_y" }
     CHECK(scene.probes.at(0).measure == "force_y");
 }
 
+TEST_CASE("grains and listed clusters reach the scene as said", "[scene]") {
+    const model::Scene scene = checked(R"(
+local sand = dem.material { youngs_modulus = 1e8, poissons_ratio = 0.2, density = 2650 }
+local sim = dem.simulation {}
+local box = dem.rectangle { size = { 1, 1 } }
+local bent = dem.cluster { disks = { { 0, 0, 2 }, { 2, 0, 1 } }, rigid = true }
+sim:grains { name = "a", material = sand, region = box, shape = bent, radius = { 0.01, 0.02 }, porosity = 0.3,
+    removed = 0.1, velocity = { 1, 2 }, seed = 5 }
+local classes = { { 0.01, 3 }, { radius = 0.02, share = 1 } }
+sim:grains { name = "b", material = sand, region = box, radius = classes, method = "rain", count = 7 }
+local three = dem.cluster { elements = 3, bonds = dem.elastic { search = 0.2 } }
+sim:grains { name = "c", material = sand, region = box, shape = three, radius = 0.01, porosity = 0.2 }
+local list = dem.disks { { 0, 0, 0.1, 5 }, { 1, 0, 0.1, 2 }, { x = 0.2, y = 0, radius = 0.1, cluster = 5 } }
+sim:body { name = "d", material = sand, packing = list, rigid = true, in_clusters = true }
+)")
+                                   .scene;
+    REQUIRE(scene.bodies.size() == 4);
+    const auto grains = [&](std::size_t row) { return std::get<model::GrainPacking>(scene.bodies[row].packing); };
+    CHECK(scene.bodies[0].rigid);
+    CHECK(scene.bodies[0].in_clusters);
+    CHECK(scene.bodies[0].velocity == Vec2{1.0, 2.0});
+    CHECK(grains(0).disks.at(1).radius == 1.0);
+    CHECK(grains(0).sizes.at(0).greatest == 0.02);
+    CHECK(grains(0).porosity == 0.3);
+    CHECK(grains(0).removed == 0.1);
+    CHECK(grains(0).seed == 5);
+    CHECK_FALSE(scene.bodies[1].rigid);
+    CHECK(std::holds_alternative<model::NoBonds>(scene.bodies[1].bonds));
+    CHECK(grains(1).elements == 1);
+    CHECK(grains(1).method == model::Placing::rain);
+    CHECK(grains(1).count == 7);
+    CHECK(grains(1).sizes.at(0).share == 3.0);
+    CHECK(grains(1).sizes.at(1).least == 0.02);
+    CHECK(std::get<model::ElasticBonds>(scene.bodies[2].bonds).search == 0.2);
+    CHECK(model::network_of(scene.bodies[2]) == model::Network::contacts);
+    CHECK(grains(2).elements == 3);
+    CHECK(std::get<model::ListedDisks>(scene.bodies[3].packing).clusters == std::vector<std::uint32_t>{0, 1, 0});
+}
+
 TEST_CASE("a function of place chooses where it says", "[scene]") {
     // The state must outlive the reading, since selections are asked when the scene is assembled.
     const SceneSummary summary = checked(block + "sim:fix { block, where = function(x, y) return x + y < 1 end }\n");

@@ -18,6 +18,10 @@ using model::Disk;
 
 namespace {
 
+// Grains that touch more than they must would jump apart.
+constexpr double loose_overlap = 1e-3; ///< radii, that a pack with room to spare comes down to
+constexpr int loose_moves = 2000;
+
 double bounded_area(const model::Region& region) {
     const double area = region.area();
     if (std::isfinite(area)) return area;
@@ -38,7 +42,8 @@ std::vector<Grain> pressed(const model::Region& region, const GrainOrder& order)
     Growth pack(region, shape.disks, relative, unit);
     pack.put_down(middles.at, middles.circle / shape.around, order.seed);
     grow(pack, unit);
-    const double left = press(pack, unit, order.seed);
+    press(pack, unit, order.seed);
+    const double left = pack.settle(loose_overlap, loose_moves);
     if (left > largest_overlap) {
         const double fits = fitting_share(pack);
         throw RunError(

@@ -13,7 +13,8 @@ namespace demlua::packing {
 /// what its disks cover by radius squared. A region too small for one grain gives an empty packing. Throws RunError where the
 /// porosity or number asked for cannot be had, saying what was reached.
 ///
-/// Consolidation presses grains as `consolidated` does its clusters: no overlap exceeds a few hundredths of a radius.
+/// Consolidation presses grains as `consolidated` does its clusters. Overlaps come down to 0.001 radii of the smaller
+/// element where grains have room to spare; in packs as dense as they can be a few hundredths of a radius stay.
 Packing grains(const model::Region& region, const model::GrainPacking& settings);
 
 /// Mean radius of the elements (m), grain by grain, as the sizes ask for.
@@ -40,7 +41,7 @@ std::vector<Grain> inserted(const model::Region& region, const GrainOrder& order
 
 /// Grains dropped one by one at random places and angles. Each falls straight down and then, touching what lies below
 /// or the region's boundary, slides and turns without friction or speed until it can get no lower (for disks: Visscher &
-/// Bolsterli, Nature 239, 504, 1972). Those that lie already do not move. Overlaps stay below 0.001 of the smaller radius.
+/// Bolsterli, Nature 239, 504, 1972). Those that lie already do not move. Overlaps stay below 0.002 of the smallest radius.
 std::vector<Grain> rained(const model::Region& region, const GrainOrder& order);
 
 } // namespace demlua::packing
