@@ -135,6 +135,13 @@ int add(lua_State* L) {
     return 0;
 }
 
+int contact(lua_State* L) {
+    const Call call = call_on_simulation(L, words::contact());
+    refuse_once_running(call);
+    add_row(call, words::contact(), scene_of(L).contact_rules);
+    return 0;
+}
+
 // --- what a run is asked for -----------------------------------------------------------------------------------------
 
 /// One column under its name; the value is on top of the stack.
@@ -278,7 +285,7 @@ void add_simulation(lua_State* L) {
     define<SimulationHandle>(L, nullptr);
     luaL_getmetatable(L, object_name<SimulationHandle>);
     lua_createtable(L, 0, 19);
-    constexpr std::array<luaL_Reg, 19> methods{
+    constexpr std::array<luaL_Reg, 20> methods{
         {{"body", guarded<body>},
          {"grains", guarded<grains>},
          {"fix", guarded<fix>},
@@ -287,6 +294,7 @@ void add_simulation(lua_State* L) {
          {"traction", guarded<traction>},
          {"wall", guarded<wall>},
          {"outline", guarded<outline>},
+         {"contact", guarded<contact>},
          {"notch", guarded<add<Notch, words::notch, &Scene::notches>>},
          {"damping", guarded<add<Damping, words::damping, &Scene::dampings>>},
          {"probe", guarded<add<Probe, words::probe, &Scene::probes>>},

@@ -42,6 +42,13 @@ void check_material(const Material& material, Findings& findings) {
     }
 }
 
+void check_contact(const ContactRule& rule, Findings& findings) {
+    if (rule.restitution && rule.contact_damping) {
+        findings.add(rule.place, "contact.contact_damping", text_of(*rule.contact_damping),
+                     "must not be given beside restitution", "each follows from the other");
+    }
+}
+
 /// Poisson's ratio must suit every network made of the material.
 void check_poissons_ratio(const Scene& scene, std::size_t row, Findings& findings) {
     const Material& material = scene.materials[row];
@@ -279,6 +286,7 @@ std::vector<Problem> check(const Scene& scene, const std::vector<std::string>& m
         check_material(scene.materials[row], findings);
         check_poissons_ratio(scene, row, findings);
     }
+    for (const ContactRule& rule : scene.contact_rules) check_contact(rule, findings);
     for (const Body& body : scene.bodies) {
         check_packing(body, findings);
         check_network(body, findings);

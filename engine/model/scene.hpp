@@ -33,9 +33,21 @@ struct Material {
     double rate_factor = 1.0;                 ///< constant factor on tensile strength and on fracture energy
     double friction = 0.0;                    ///< Coulomb coefficient
     double rolling_friction = 0.0;            ///< greatest rolling moment over pressure and reduced radius
-    std::optional<double> wear_energy_density; ///< W0: sliding work per volume after which an element leaves its cluster, J/m^3
-    std::optional<double> restitution;        ///< of a head-on impact, (0, 1]
-    std::optional<double> contact_damping;    ///< fraction of critical of the contact dashpots
+    std::optional<double>
+        wear_energy_density;           ///< W0: sliding work per volume after which an element leaves its cluster, J/m^3
+    std::optional<double> restitution; ///< of a head-on impact, (0, 1]
+    std::optional<double> contact_damping; ///< fraction of critical of the contact dashpots
+    Place place;
+};
+
+/// What holds for contacts between two materials in place of what follows from them.
+struct ContactRule {
+    std::size_t first = 0; ///< rows of Scene::materials
+    std::size_t second = 0;
+    std::optional<double> friction;
+    std::optional<double> rolling_friction;
+    std::optional<double> restitution;
+    std::optional<double> contact_damping; ///< fraction of critical
     Place place;
 };
 
@@ -282,13 +294,14 @@ struct Scene {
     double thickness = 1.0; ///< m
     Vec2 gravity;           ///< m/s^2
     StepRule time_step = StepRule::sharp;
-    double step_fraction = 0.8; ///< of the critical time step
-    double greatest_move = 0.2; ///< share of its radius an element may move in a step
+    double step_fraction = 0.8;     ///< of the critical time step
+    double greatest_move = 0.2;     ///< share of its radius an element may move in a step
     std::optional<Vec2> periodic_x; ///< edges of a box that repeats along x, m
     Region domain;                  ///< elements that leave it are taken out; empty: there is none
     Place place;
 
     std::vector<Material> materials;
+    std::vector<ContactRule> contact_rules; ///< of two that are said twice the last counts
     std::vector<Body> bodies;
     std::vector<Support> supports;
     std::vector<Motion> motions;

@@ -103,6 +103,7 @@ namespace words {
 
 const WordOf<Scene>& simulation();
 const WordOf<Material>& material();
+const WordOf<ContactRule>& contact();
 
 const WordOf<RectangleSaid>& rectangle();
 const WordOf<DiscSaid>& disc();

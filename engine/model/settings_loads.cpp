@@ -273,6 +273,7 @@ const std::vector<const Word*>& all_words() {
                                                 &words::wall_move(),
                                                 &words::outline(),
                                                 &words::outline_move(),
+                                                &words::contact(),
                                                 &words::notch(),
                                                 &words::damping(),
                                                 &words::probe(),

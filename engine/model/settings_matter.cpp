@@ -103,6 +103,28 @@ const WordOf<Material>& material() {
     return made;
 }
 
+const WordOf<ContactRule>& contact() {
+    static const WordOf<ContactRule> made = word<ContactRule>(
+        "sim:contact",
+        "How elements of two materials, or of one, meet each other and its outlines. What is not named follows from "
+        "the "
+        "materials: the smaller friction and rolling friction, the mean of the dashpots, springs in series.",
+        "", "sim:contact { sand, steel, friction = 0.3, restitution = 0.5 }",
+        {
+            row<&ContactRule::first, MaterialSlot>("first", required, "one material; the word itself may be left out")
+                .at(1),
+            row<&ContactRule::second, MaterialSlot>("second", required, "the other, or the same; likewise").at(2),
+            row<&ContactRule::friction>("friction", "", optional, non_negative, "Coulomb coefficient"),
+            row<&ContactRule::rolling_friction>("rolling_friction", "", optional, non_negative,
+                                                "greatest moment against rolling over pressure and reduced radius"),
+            row<&ContactRule::restitution>("restitution", "", optional, share,
+                                           "speed after over speed before a head-on impact"),
+            row<&ContactRule::contact_damping>("contact_damping", "", optional, non_negative,
+                                               "dashpots, fraction of critical; instead of restitution"),
+        });
+    return made;
+}
+
 const WordOf<RectangleSaid>& rectangle() {
     static const WordOf<RectangleSaid> made =
         word<RectangleSaid>("dem.rectangle", "A rectangle along the axes.", "a region",

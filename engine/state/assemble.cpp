@@ -245,12 +245,23 @@ std::vector<Problem> overlapping_bodies(const model::Scene& scene, const State& 
     return problems;
 }
 
+void apply(const model::ContactRule& said, Contacts& contacts) {
+    for (const auto& [a, b] : {std::pair{said.first, said.second}, std::pair{said.second, said.first}}) {
+        PairRule& rule = contacts.rules[a * contacts.materials + b];
+        if (said.friction) rule.params.mu = *said.friction;
+        if (said.rolling_friction) rule.rolling_friction = *said.rolling_friction;
+        if (said.contact_damping) rule.damping_fraction = *said.contact_damping;
+        if (said.restitution) rule.damping_fraction = law::damping_fraction(*said.restitution);
+    }
+}
+
 void lay_out_materials(const model::Scene& scene, State& state) {
     for (const model::Material& material : scene.materials) state.materials.push_back(facts_of(material, scene));
     state.contacts.materials = state.materials.size();
     for (const MaterialFacts& a : state.materials) {
         for (const MaterialFacts& b : state.materials) state.contacts.rules.push_back(pair_rule(a, b));
     }
+    for (const model::ContactRule& said : scene.contact_rules) apply(said, state.contacts);
     for (const PairRule& rule : state.contacts.rules) state.contacts.rolls |= rule.rolling_friction > 0.0;
 }
 

@@ -131,8 +131,8 @@ Wall outline_of(const model::Outline& said, const model::Scene& scene, const Sta
     const double density = scene.materials[said.material].density * scene.thickness;
     outline.matter = Matter{said.material, density * figure.area, density * figure.polar};
     outline.centre = figure.centre;
-    for (const MaterialFacts& facts : state.materials) {
-        outline.rules.push_back(pair_rule(facts, state.materials[said.material]));
+    for (std::size_t row = 0; row < state.materials.size(); ++row) {
+        outline.rules.push_back(state.contacts.rules[row * state.contacts.materials + said.material]);
         double& friction = outline.rules.back().params.mu;
         friction = std::min(friction, said.friction);
     }
