@@ -81,11 +81,12 @@ std::vector<Vec2> sawtooth(Vec2 from, Vec2 to, double height, double pitch) {
     const Vec2 way = to - from;
     const double length = norm(way);
     const Vec2 rise = (height / length) * turned_left(way);
-    const double teeth = std::max(std::round(length / pitch), 1.0);
+    const auto teeth = static_cast<std::size_t>(std::max(std::round(length / pitch), 1.0));
+    const auto at = [&](double tooth) { return from + (tooth / static_cast<double>(teeth)) * way; };
     std::vector<Vec2> points{from};
-    for (double tooth = 1.0; tooth <= teeth; tooth += 1.0) {
-        points.push_back(from + ((tooth - 0.5) / teeth) * way + rise);
-        points.push_back(tooth == teeth ? to : from + (tooth / teeth) * way);
+    for (std::size_t tooth = 1; tooth <= teeth; ++tooth) {
+        points.push_back(at(static_cast<double>(tooth) - 0.5) + rise);
+        points.push_back(tooth == teeth ? to : at(static_cast<double>(tooth)));
     }
     return points;
 }
