@@ -61,9 +61,10 @@ TEST_CASE("walls list every element in reach of their parts, and no other", "[wa
     std::vector<Vec2> points;
     for (std::size_t e = 0; e < state.elements.size(); ++e) points.push_back(state.elements.position(e));
     for (const double skin : {1e-4, 4e-3, 3e-2}) {
+        const step::Places places = step::places_of(state, 2.0 * R + skin);
         CellGrid grid;
-        grid.build(points, 2.0 * R + skin);
-        step::refresh_wall_contacts(state, skin, grid);
+        grid.build(places.at, 2.0 * R + skin);
+        step::refresh_wall_contacts(state, skin, places, grid);
         using Key = std::array<std::size_t, 3>;
         std::set<Key> wanted;
         for (std::size_t w = 0; w < state.walls.size(); ++w) {

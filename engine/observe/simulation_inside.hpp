@@ -1,0 +1,58 @@
+// What a simulation keeps beside its state; for the files that implement it.
+#pragma once
+
+#include "engine/observe/bond_probes.hpp"
+#include "engine/observe/simulation.hpp"
+#include "engine/state/state.hpp"
+#include "engine/step/step.hpp"
+#include "engine/step/time_step.hpp"
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace demlua::observe {
+
+/// The elements one motion of the scene drives, and its rows of State::drives.
+struct Moved {
+    Column<Index> elements;
+    std::vector<std::size_t> drives;
+};
+
+/// How much of the scene has been taken in.
+struct Taken {
+    std::size_t supports = 0;
+    std::size_t notches = 0;
+    std::size_t dampings = 0;
+    std::vector<Moved> motions;
+    std::vector<std::size_t> forces;    ///< their rows of State::loads
+    std::vector<std::size_t> tractions; ///< likewise
+    std::vector<ProbedBond> probed;     ///< by row of the scene's bond probes
+};
+
+/// As many threads as asked for, or as there is work for when `asked` is 0.
+int thread_count(int asked, std::size_t elements);
+
+struct Simulation::Inside {
+    model::Scene scene;
+    Team team;
+    step::Stepper stepper;
+    std::vector<std::string> notes;
+    Taken taken;
+    double beta = 0.0; ///< of the dashpots laid beside the bonds, s
+    step::StableStep stable;
+    bool step_outdated = true;
+    bool started = false;
+    double balance_at_start = 0.0;
+    bool stopping = false;
+    std::string stop_reason;
+
+    Inside(const model::Scene& said, int threads, const state::State& state, std::vector<std::string> facts)
+        : scene(said), team(thread_count(threads, state.elements.size())), stepper(team, state, said.greatest_move),
+          notes(std::move(facts)) {
+        stepper.domain = said.domain;
+    }
+};
+
+} // namespace demlua::observe
