@@ -2,7 +2,8 @@
 -- Source:   Tavarez & Plesha 2007, section 3: clusters whose bonds follow the fracture laws. No closed form: bands and trend.
 -- See:      stress against the platen's way bends over as grains break; the number of broken bonds rises with it and the
 --           largest fragment stays a grain.
--- Takes:    about a minute.
+-- Takes:    ten seconds.
+-- Quick:    no
 local dem = require "dem"
 
 local p = dem.param {
@@ -10,9 +11,9 @@ local p = dem.param {
   element   = { 1e-3, "m", help = "mean radius" },
   width     = { 0.1, "m" },
   height    = { 0.06, "m" },
-  strength  = { 4e6, "Pa", help = "tensile, of the grains" },
-  toughness = { 0.15e6, "Pa m^0.5" },
-  squeeze   = { 0.15, help = "way of the platen over the height" },
+  strength  = { 20e6, "Pa", help = "tensile, of the grains" },
+  toughness = { 0.4e6, "Pa m^0.5" },
+  squeeze   = { 0.08, help = "way of the platen over the height" },
   speed     = { 1.0, "m/s" },
   seed      = { 1 },
 }
@@ -36,13 +37,29 @@ local platen = sim:wall {
 }
 
 local function stress() return platen.force.y / p.width end
-local peak = 0
-sim:every { 2e-5, function() peak = math.max(peak, stress()) end }
-sim:history { every = 1e-4, stress = stress, way = function() return p.height - platen.position.y end }
-sim:output { every = 5e-3 }
+local crushing -- the stress at which a twentieth of the bonds is broken
+sim:every { 2e-5, function(now)
+  if not crushing and now.broken_bonds > now.bonds / 20 then crushing = stress() end
+end }
+sim:history { every = 5e-5, stress = stress, way = function() return p.height - platen.position.y end }
+sim:output { every = 5e-4 }
 sim:run { duration = p.squeeze * p.height / p.speed }
-local largest = {}
-for _, part in ipairs(bed:field("fragment")) do largest[part] = (largest[part] or 0) + 1 end
-local most = 0
-for _, size in pairs(largest) do most = math.max(most, size) end
-dem.result { peak_stress = peak, broken_bonds = sim.now.broken_bonds, bonds = sim.now.bonds, largest_fragment = most }
+
+local size = {}
+for _, part in ipairs(bed:field("fragment")) do size[part] = (size[part] or 0) + 1 end
+local largest = 0
+for _, elements in pairs(size) do largest = math.max(largest, elements) end
+local ledger = sim.now.ledger
+dem.compare {
+  what = "largest fragment", value = largest, reference = p.elements, tolerance = 0.5,
+  because = "nothing mends: no fragment is larger than a grain, and a few grains outlive the squeeze nearly whole",
+  source = "what fragments are",
+}
+dem.compare {
+  what = "energy unaccounted over work", value = ledger.error / ledger.work, reference = 0, tolerance = 1e-3,
+  because = "yielding and breaking within a step", source = "conservation of energy",
+}
+dem.result {
+  crushing_stress = crushing, final_stress = stress(), broken_bonds = sim.now.broken_bonds, bonds = sim.now.bonds,
+  fragments = sim.now.fragments,
+}

@@ -5,8 +5,9 @@
 //   ft = Kt us + Ct us',  |ft| <= mu N         us elastic shear displacement; beyond the cap it slips
 //
 // Source: Tavarez & Plesha 2007, section 4 and figure 1 (frictional contact); Kn, Kt eqs 15, 16.
-// The work the shear force takes out of the motion, less what is stored in the spring, is spent: on friction the force of
-// the spring times the slip, on the dashpot the rest. Work over a step is the mean of the forces at its two ends times the
+// The work the shear force takes out of the motion, less what is stored in the spring, is spent: on friction while the
+// contact slips, on the dashpot while it sticks. What a contact gives back while it slips, the dashpot reversing its force,
+// is the dashpot's: friction never gives. Work over a step is the mean of the forces at its two ends times the
 // displacement, which is what central difference really exchanges.
 #pragma once
 
@@ -72,9 +73,9 @@ struct Coulomb {
 
         const T spent =
             0.5 * (history.force + shear) * slide - 0.5 * p.Kt * (kept * kept - history.shear * history.shear);
-        const T slipped = select(slips, select(touching, p.Kt * kept * (stretched - kept), T{}), T{});
-        history.friction += slipped;
-        history.damped += spent - slipped + 0.5 * (history.damping + damping) * (in.closing * dt);
+        const T rubbed = select(slips, larger(T{}, spent), T{});
+        history.friction += rubbed;
+        history.damped += spent - rubbed + 0.5 * (history.damping + damping) * (in.closing * dt);
         history.shear = kept;
         history.force = shear;
         history.damping = damping;
