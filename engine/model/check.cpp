@@ -91,11 +91,6 @@ void check_consolidation(const Body& body, const Consolidation& packing, Finding
 
 void check_network(const Body& body, Findings& findings) {
     const std::optional<Network> network = network_of(body);
-    if (network && body.in_clusters && (*network == Network::facets || *network == Network::delaunay)) {
-        findings.add(body.place, "body.bonds", *network == Network::facets ? "\"facets\"" : "\"delaunay\"",
-                     "must be \"contacts\" for bonds within clusters");
-        return;
-    }
     if (!network || !body.region.bounds().empty()) return;
     if (*network == Network::facets || *network == Network::delaunay) {
         findings.add(body.place, "body.bonds", *network == Network::facets ? "\"facets\"" : "\"delaunay\"",

@@ -20,6 +20,7 @@ struct Servo {
     double max_speed = 0.0; ///< m/s
     double travel = 0.0;    ///< how far it may go without meeting anything, m
     double missed = 0.0;    ///< how far it has, m
+    double kept = 0.0;      ///< velocity it has learnt to keep, m/s
 };
 
 /// What an outline has and a wall has not.
