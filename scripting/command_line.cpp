@@ -27,6 +27,7 @@ struct Words {
     std::string help_scene;
     bool check = false;
     bool explain = false;
+    bool profile = false;
     bool quiet = false;
     bool overwrite = false;
     bool version = false;
@@ -45,6 +46,7 @@ void declare(CLI::App& app, Words& words) {
         ->type_name("N");
     app.add_flag("--check", words.check, "Say whether the scene is right; run nothing");
     app.add_flag("--explain", words.explain, "Assemble the scene and say what a run would do; run nothing");
+    app.add_flag("--profile", words.profile, "Say at the end what each stage of a step took");
     app.add_flag("--quiet", words.quiet, "Show only errors and what the scene prints");
     app.add_option("--progress", words.progress, "Keep the simulated time reached, in s, in this file")
         ->type_name("FILE");
@@ -87,6 +89,7 @@ CommandLine meaning(const CLI::App& app, const Words& words) {
     line.folder =
         !words.folder.empty() ? std::filesystem::path(words.folder) : line.scene.filename().replace_extension(".out");
     line.progress = words.progress;
+    line.profile = words.profile;
     line.quiet = words.quiet;
     line.overwrite = words.overwrite;
     return line;

@@ -23,6 +23,7 @@ struct CommandLine {
     std::filesystem::path folder;   ///< where the run goes: -o, else the scene's name with .out
     int threads = 0;                ///< 0: as many as there are processors and work for
     std::filesystem::path progress; ///< file that tells the time reached; empty for none
+    bool profile = false;           ///< whether to say what each stage took
     bool quiet = false;
     bool overwrite = false;
 };

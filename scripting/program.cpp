@@ -89,7 +89,8 @@ RunSettings settings_for(const CommandLine& line) {
                          line.threads,
                          0.0,
                          kept_packs(),
-                         line.progress};
+                         line.progress,
+                         line.profile};
     std::vector<Problem> problems;
     auto scene = collecting(problems, [&] { return check_scene(line.scene, line.overrides); });
     if (!scene || !scene->runs.empty()) {

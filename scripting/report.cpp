@@ -68,6 +68,22 @@ std::string effort_line(const observe::Simulation& simulation, const Effort& eff
     return line + fmt::format(", {:.1f} ns per element and step", effort.wall_time / element_steps * 1e9);
 }
 
+std::string profile_line(const observe::Simulation& simulation, const Effort& effort) {
+    const double element_steps = static_cast<double>(effort.steps) * static_cast<double>(simulation.element_count());
+    if (element_steps == 0.0) return "profile: no steps";
+    std::vector<observe::StageTime> times = simulation.stage_times();
+    double rest = effort.wall_time;
+    for (const observe::StageTime& time : times) rest -= time.seconds;
+    std::stable_sort(times.begin(), times.end(), [](const auto& a, const auto& b) { return a.seconds > b.seconds; });
+    times.push_back({"other", std::max(rest, 0.0)});
+    std::vector<std::string> parts;
+    for (const observe::StageTime& time : times) {
+        parts.push_back(fmt::format("{} {:.1f} ({:.0f} %)", time.stage, time.seconds / element_steps * 1e9,
+                                    100.0 * time.seconds / effort.wall_time));
+    }
+    return fmt::format("profile, ns per element and step: {}", fmt::join(parts, ", "));
+}
+
 std::string energy_line(const observe::Ledger& ledger) {
     const std::vector<std::pair<const char*, double>> parts{{"kinetic", ledger.kinetic},
                                                             {"bonds", ledger.bonds},

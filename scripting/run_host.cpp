@@ -218,6 +218,7 @@ void RunHost::tell_result(const output::SummaryEnding& ending) {
         for (const auto& line : {fracture_line(*simulation_), results_line(results_)}) {
             if (!line.empty()) terminal_.say(line);
         }
+        if (settings_.profile) terminal_.say(profile_line(*simulation_, effort_));
         for (const auto& each : comparisons_) terminal_.say(comparison_line(each));
     }
     if (writer_->frames() > 0) terminal_.say("open it in ParaView: " + files_to_open());

@@ -29,6 +29,7 @@ struct RunSettings {
     double reading_time = 0.0;                                 ///< s
     std::shared_ptr<const packing::PackStore> packs = nullptr; ///< kept from run to run, or none
     std::filesystem::path progress = {};                       ///< file that tells the time reached; empty for none
+    bool profile = false;                                      ///< whether to say what each stage took
 };
 
 class RunHost : public Host {

@@ -47,6 +47,10 @@ says out.txt "step: "
 says out.txt "time step "
 none bonded_pair.out
 
+expect 0 "$small" -o profiled.out --profile
+says out.txt "profile, ns per element and step: "
+rm -r profiled.out
+
 # ---- wrong words: every problem on its line, nothing written -------------------------------------
 expect 2
 says err.txt "FILE.lua: missing"

@@ -26,8 +26,9 @@ BACKGROUND = (255, 255, 255)
 BODIES = [(208, 208, 204), (70, 116, 166), (190, 140, 90), (120, 160, 110), (150, 120, 165), (200, 175, 95)]
 SCALE = [(68, 1, 84), (59, 82, 139), (33, 145, 140), (94, 201, 98), (253, 231, 37)]  # dark to light, even in brightness
 PALE = (232, 232, 230)  # of bodies under coloured cracks
-MODES = [(200, 30, 40), (30, 90, 200), (0, 0, 0)]  # tension, shear, notch
-MODE_WORDS = "tension red, shear blue, notch black"
+MODES = [(200, 30, 40), (30, 90, 200), (0, 0, 0), (20, 140, 60)]  # tension, shear, notch, wear
+MODE_WORDS = "tension red, shear blue, notch black, wear green"
+WALL = (60, 60, 60)
 CLUSTERS = [(200, 30, 40), (30, 90, 200), (20, 140, 60), (230, 140, 0), (130, 50, 160), (0, 150, 170), (120, 80, 40)]
 COLOURED_BY = ("time", "mode", "energy", "cluster")
 CRACK = (0, 0, 0)
@@ -66,11 +67,11 @@ def read(file):
 
 
 class Frame:
-    """One instant: elements, and cracks as (x0, y0, x1, y1, value).
+    """One instant: elements, walls as (x0, y0, x1, y1), and cracks as (x0, y0, x1, y1, value).
 
     They are those on record with the field `by` as their value; else broken bonds that still lie between neighbours."""
 
-    def __init__(self, time, elements_file, bonds_file, cracks_file=None, by=None):
+    def __init__(self, time, elements_file, bonds_file, cracks_file=None, walls_file=None, by=None):
         self.time = time
         grid = read(elements_file)
         self.data = grid.GetPointData()
@@ -80,6 +81,7 @@ class Frame:
             self.cracks = self.recorded_cracks(read(cracks_file), by) if cracks_file else []
         else:
             self.cracks = self.find_cracks(read(bonds_file)) if bonds_file else []
+        self.walls = self.segments(read(walls_file)) if walls_file else []
 
     def values(self, name):
         """One number for each element: a field, a component of it by suffix (_x, _yy), or a vector's length."""
@@ -95,6 +97,16 @@ class Frame:
                     return [row[c] for row in numbers(array)]
         known = ", ".join(self.data.GetArrayName(k) for k in range(self.data.GetNumberOfArrays()))
         raise Fault(f"no field {name}; there are {known}")
+
+    @staticmethod
+    def segments(grid):
+        if grid.GetNumberOfCells() == 0:
+            return []
+        points = numbers(grid.GetPoints().GetData())
+        ends = numbers(grid.GetCells().GetConnectivityArray())
+        first = numbers(grid.GetCells().GetOffsetsArray())
+        return [(*points[ends[k]][:2], *points[ends[k + 1]][:2])
+                for begin, end in zip(first, first[1:]) for k in range(begin, end - 1)]
 
     @staticmethod
     def recorded_cracks(grid, by):
@@ -142,10 +154,10 @@ def load(folder, wanted, by):
     elements = series(folder, "elements")
     if not elements:
         raise Fault(f"{folder} holds no run: elements.pvd is missing or empty")
-    bonds, cracks = dict(series(folder, "bonds")), dict(series(folder, "cracks"))
+    bonds, cracks, walls = (dict(series(folder, name)) for name in ("bonds", "cracks", "walls"))
     if by and not cracks:
         raise Fault(f"{folder} holds no cracks: cracks.pvd is missing, no bond of the scene can break")
-    return [Frame(time, file, bonds.get(time), cracks.get(time), by)
+    return [Frame(time, file, bonds.get(time), cracks.get(time), walls.get(time), by)
             for time, file in (elements[k] for k in choose(elements, wanted))]
 
 
@@ -259,6 +271,22 @@ def colours(frame, field, limits, pale):
     return [on_scale((value - low) / width) for value in frame.values(field)]
 
 
+def clipped(segment, box):
+    """The part of a segment inside a box (x0, y0, x1, y1), or None."""
+    x0, y0, x1, y1 = segment
+    begin, end = 0.0, 1.0
+    for start, way, low, high in ((x0, x1 - x0, box[0], box[2]), (y0, y1 - y0, box[1], box[3])):
+        if way == 0.0:
+            if not low <= start <= high:
+                return None
+            continue
+        enters, leaves = sorted(((low - start) / way, (high - start) / way))
+        begin, end = max(begin, enters), min(end, leaves)
+    if begin > end:
+        return None
+    return (x0 + begin * (x1 - x0), y0 + begin * (y1 - y0), x0 + end * (x1 - x0), y0 + end * (y1 - y0))
+
+
 def draw(frame, box, width, height, inks, lines, thickness):
     canvas = Canvas(FINENESS * width, FINENESS * height)
     scale = min(canvas.width / (box[2] - box[0]), canvas.height / (box[3] - box[1]))
@@ -271,9 +299,10 @@ def draw(frame, box, width, height, inks, lines, thickness):
             canvas.disk(px, py, pr, darker(ink))
             pr -= 0.5 * FINENESS
         canvas.disk(px, py, max(pr, 0.5), ink)
-    for (x0, y0, x1, y1, _), ink in zip(frame.cracks, lines):
-        canvas.line((x0 - left) * scale, (y0 - low) * scale, (x1 - left) * scale, (y1 - low) * scale,
-                    thickness * FINENESS, ink)
+    strokes = [(*part, 1.2, bytes(WALL)) for part in (clipped(wall, box) for wall in frame.walls) if part]
+    strokes += [(x0, y0, x1, y1, thickness, ink) for (x0, y0, x1, y1, _), ink in zip(frame.cracks, lines)]
+    for x0, y0, x1, y1, wide, ink in strokes:
+        canvas.line((x0 - left) * scale, (y0 - low) * scale, (x1 - left) * scale, (y1 - low) * scale, wide * FINENESS, ink)
     shrink = vtkImageShrink3D()
     source = canvas.image()
     shrink.SetInputData(source)
