@@ -43,8 +43,8 @@ struct Rolling {
         const bool rolls_on = magnitude(trial) > in.cap;
         const T moment = clamped(trial, in.cap);
         const T kept = in.stiffness > 0.0 && in.cap > 0.0 ? clamped(in.stiffness * turned, in.cap) / in.stiffness : T{};
-        const T spent = 0.5 * (history.moment + moment) * rolled -
-                        0.5 * in.stiffness * (kept * kept - history.turn * history.turn);
+        const T spent =
+            0.5 * (history.moment + moment) * rolled - 0.5 * in.stiffness * (kept * kept - history.turn * history.turn);
         history.friction += select(rolls_on, spent, T{});
         history.damped += select(rolls_on, T{}, spent);
         history.turn = kept;

@@ -122,10 +122,14 @@ Json seeds_json(const model::Scene& scene) {
 }
 
 Json counts_json(const model::Scene& scene) {
-    return {{"supports", scene.supports.size()}, {"motions", scene.motions.size()},
-            {"forces", scene.forces.size()},     {"tractions", scene.tractions.size()},
-            {"walls", scene.walls.size()},       {"outlines", scene.outlines.size()},
-            {"notches", scene.notches.size()},   {"probes", scene.probes.size()},
+    return {{"supports", scene.supports.size()},
+            {"motions", scene.motions.size()},
+            {"forces", scene.forces.size()},
+            {"tractions", scene.tractions.size()},
+            {"walls", scene.walls.size()},
+            {"outlines", scene.outlines.size()},
+            {"notches", scene.notches.size()},
+            {"probes", scene.probes.size()},
             {"bond_probes", scene.bond_probes.size()}};
 }
 

@@ -75,9 +75,11 @@ void forces_along(state::Contacts& contacts, const state::Elements& elements, co
 
 void contact_forces(state::Contacts& contacts, const state::Elements& elements, Period period, double dt, Share part) {
     if (period.repeats()) {
-        forces_along(contacts, elements, [&](Vec2 span) { return period.shortest(span); }, dt, part);
+        forces_along(
+            contacts, elements, [&](Vec2 span) { return period.shortest(span); }, dt, part);
     } else {
-        forces_along(contacts, elements, [](Vec2 span) { return span; }, dt, part);
+        forces_along(
+            contacts, elements, [](Vec2 span) { return span; }, dt, part);
     }
 }
 

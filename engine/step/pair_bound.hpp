@@ -14,9 +14,10 @@ namespace demlua::step {
 
 /// What a step must allow for.
 struct Facts {
-    double smallest_radius = 0.0;        ///< of the scene, m
-    bool has_company = false;            ///< other bodies or walls
-    std::vector<std::size_t> neighbours; ///< of each element: bonds that hold it, or elements of its rigid body beside it
+    double smallest_radius = 0.0; ///< of the scene, m
+    bool has_company = false;     ///< other bodies or walls
+    std::vector<std::size_t>
+        neighbours; ///< of each element: bonds that hold it, or elements of its rigid body beside it
 };
 
 Facts facts_of(const state::State& state);
