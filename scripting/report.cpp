@@ -77,6 +77,7 @@ std::string profile_line(const observe::Simulation& simulation, const Effort& ef
     std::stable_sort(times.begin(), times.end(), [](const auto& a, const auto& b) { return a.seconds > b.seconds; });
     times.push_back({"other", std::max(rest, 0.0)});
     std::vector<std::string> parts;
+    parts.reserve(times.size());
     for (const observe::StageTime& time : times) {
         parts.push_back(fmt::format("{} {:.1f} ({:.0f} %)", time.stage, time.seconds / element_steps * 1e9,
                                     100.0 * time.seconds / effort.wall_time));

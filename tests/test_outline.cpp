@@ -70,6 +70,7 @@ TEST_CASE("area, centre and polar moment of figures", "[outline]") {
     }
     SECTION("regular hexagon of side s: 3 sqrt(3)/2 s^2, 5 sqrt(3)/8 s^4") {
         std::vector<Vec2> corners;
+        corners.reserve(6);
         for (int k = 0; k < 6; ++k) corners.push_back(turned({0.2, 0.0}, pi * k / 3.0));
         const model::Figure figure = moved(corners);
         CHECK(figure.area == Approx(1.5 * std::sqrt(3.0) * 0.04).epsilon(1e-9));
@@ -210,6 +211,7 @@ TEST_CASE("a light outline is allowed for in the time step", "[outline]") {
     scene.materials.push_back(scene.materials[0]);
     scene.materials[1].density = 20.0;
     std::vector<model::Disk> list;
+    list.reserve(8);
     for (int k = 0; k < 8; ++k) list.push_back({{2.2 * R * k, 0.0}, R});
     scene.bodies.push_back(test::disks("row", list, model::NoBonds{}));
     scene.bodies[0].velocity = {0.0, 0.5};

@@ -26,9 +26,11 @@ model::Scene gas(double shift) {
     scene.periodic_x = Vec2{0.0, 0.2};
     scene.step_fraction = 0.05;
     for (int k = 0; k < 40; ++k) {
-        const double x = 0.01 + 0.02 * (k % 10) + shift;
+        const int column = k % 10;
+        const int row = k / 10;
+        const double x = 0.01 + 0.02 * column + shift;
         scene.bodies.push_back(
-            test::disks("disk " + std::to_string(k), {{{x - 0.2 * std::floor(x / 0.2), 0.02 * (k / 10)}, R}}, {}));
+            test::disks("disk " + std::to_string(k), {{{x - 0.2 * std::floor(x / 0.2), 0.02 * row}, R}}, {}));
         scene.bodies.back().velocity = {std::sin(3.0 * k), std::cos(5.0 * k)};
     }
     model::Wall floor;

@@ -181,6 +181,7 @@ TEST_CASE("a wall turns about its centre and drags along what lies on it", "[wal
         scene.materials[0].youngs_modulus = 1e7;
         scene.step_fraction = 0.1;
         std::vector<Vec2> circle;
+        circle.reserve(400);
         for (int k = 0; k < 400; ++k) {
             circle.push_back(0.02 * turned({0.0, 1.0}, 2.0 * std::numbers::pi * k / 400.0));
         }

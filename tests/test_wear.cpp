@@ -94,6 +94,7 @@ TEST_CASE("the middle of a worn rod goes on with what is left of momentum and mo
     scene.materials[0].wear_energy_density = 1e-6;
     scene.step_fraction = 0.02;
     std::vector<model::Disk> list;
+    list.reserve(5);
     for (int k = 0; k < 5; ++k) list.push_back({{2.0 * R * k, 0.0}, R});
     model::Body rod = test::disks("rod", list, model::NoBonds{});
     std::get<model::ListedDisks>(rod.packing).clusters = {0, 0, 0, 0, 0};

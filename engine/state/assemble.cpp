@@ -1,22 +1,19 @@
 #include "engine/state/assemble.hpp"
 
 #include "engine/base/cell_grid.hpp"
-#include "engine/law/restitution.hpp"
 #include "engine/model/check_fracture.hpp"
 #include "engine/model/derived_law.hpp"
-#include "engine/packing/disk_union.hpp"
 #include "engine/packing/grains.hpp"
 #include "engine/packing/packing.hpp"
 #include "engine/state/bond_assembly.hpp"
+#include "engine/state/cluster_assembly.hpp"
+#include "engine/state/material_assembly.hpp"
 #include "engine/state/parts.hpp"
 #include "engine/state/wall_assembly.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <limits>
 #include <numbers>
-#include <numeric>
-#include <span>
 #include <type_traits>
 #include <utility>
 
@@ -79,24 +76,6 @@ std::optional<packing::Cells> shared_out(const model::Body& body, packing::Packi
     return cells;
 }
 
-/// Facets take materials that eq. 16 has no shear stiffness for; loose elements of these meet as if nu* were 1/4.
-law::ContactStiffness stiffness_in_contact(law::PlaneModuli moduli, double thickness) {
-    if (moduli.poissons_ratio > 1.0 / 3.0) moduli.poissons_ratio = 0.25;
-    return law::contact_stiffness(moduli, thickness);
-}
-
-MaterialFacts facts_of(const model::Material& material, const model::Scene& scene) {
-    MaterialFacts facts;
-    facts.stiffness = stiffness_in_contact(
-        law::plane_moduli(material.youngs_modulus, material.poissons_ratio, scene.plane == model::Plane::strain),
-        scene.thickness);
-    facts.friction = material.friction;
-    facts.rolling_friction = material.rolling_friction;
-    if (material.contact_damping) facts.damping_fraction = *material.contact_damping;
-    if (material.restitution) facts.damping_fraction = law::damping_fraction(*material.restitution);
-    return facts;
-}
-
 /// Elements held by facets that never break cannot roll, and only their rotations among each other would need the shortest
 /// steps: with three times a disk's rotational inertia the step may be longer, and waves long against the
 /// elements travel as before.
@@ -129,93 +108,6 @@ void place_body(const model::Scene& scene, std::size_t row, const packing::Packi
     state.bodies.push_back(std::move(body));
 }
 
-/// Mass, middle and inertia of some elements together.
-RigidBody as_one(const State& state, std::span<const Index> rows) {
-    const Elements& elements = state.elements;
-    RigidBody rigid;
-    for (const Index k : rows) {
-        rigid.mass += elements.mass(k);
-        rigid.centre += elements.mass(k) * elements.position(k);
-    }
-    rigid.centre = rigid.centre / rigid.mass;
-    for (const Index k : rows) {
-        const Vec2 arm = elements.position(k) - rigid.centre;
-        rigid.inertia += elements.mass(k) * dot(arm, arm) + elements.inertia(k);
-    }
-    return rigid;
-}
-
-/// Rows of one body.
-Column<Index> rows_of(const Body& body) {
-    Column<Index> rows(body.size());
-    std::iota(rows.begin(), rows.end(), static_cast<Index>(body.first));
-    return rows;
-}
-
-void set_moving(const model::Body& said, std::size_t row, State& state) {
-    const Column<Index> rows = rows_of(state.bodies[row]);
-    const Vec2 centre = as_one(state, rows).centre;
-    Elements& elements = state.elements;
-    for (const Index k : rows) {
-        const Vec2 v = said.velocity + said.spin * turned_left(elements.position(k) - centre);
-        elements.vx[k] = v.x;
-        elements.vy[k] = v.y;
-        elements.spin[k] = said.spin;
-    }
-}
-
-/// Makes the elements in `rows` a rigid body moving as they do.
-void join_rigidly(State& state, std::span<const Index> rows, const RigidBody& whole) {
-    const Elements& elements = state.elements;
-    RigidBody rigid = whole;
-    rigid.first = state.rigid_members.size();
-    for (const Index k : rows) {
-        state.rigid_members.push_back(k);
-        state.rigid_row[k] = static_cast<Index>(state.rigid_bodies.size());
-        rigid.velocity += (elements.mass(k) / rigid.mass) * elements.velocity(k);
-    }
-    rigid.last = state.rigid_members.size();
-    rigid.spin = elements.spin[rows.front()];
-    state.rigid_bodies.push_back(rigid);
-}
-
-/// A cluster as one: the union of its disks, at the density of the material.
-RigidBody rigid_cluster(const State& state, std::span<const Index> rows) {
-    const Elements& elements = state.elements;
-    RigidBody whole = as_one(state, rows);
-    std::vector<model::Disk> disks;
-    for (const Index k : rows) disks.push_back({elements.position(k), elements.radius[k]});
-    const packing::Lamina lamina = packing::union_of(disks);
-    whole.centre = lamina.centroid;
-    whole.inertia = whole.mass / lamina.area * lamina.polar;
-    return whole;
-}
-
-/// Elements of a cluster stand in one row after the other here; single ones move on their own.
-void make_rigid(const model::Body& said, std::size_t row, State& state) {
-    state.bodies[row].rigid = true;
-    state.rigid_row.resize(state.elements.size(), State::no_rigid);
-    Column<Index> rows = rows_of(state.bodies[row]);
-    if (!said.in_clusters) {
-        join_rigidly(state, rows, as_one(state, rows));
-        state.rigid_bodies.back().velocity = said.velocity;
-        return;
-    }
-    const Column<Index>& cluster = state.elements.cluster;
-    std::stable_sort(rows.begin(), rows.end(), [&](Index a, Index b) { return cluster[a] < cluster[b]; });
-    for (auto begin = rows.begin(); begin != rows.end();) {
-        const auto end = std::find_if(begin, rows.end(), [&](Index k) { return cluster[k] != cluster[*begin]; });
-        const std::span<const Index> members(begin, end);
-        if (members.size() == 1) {
-            state.single.push_back(members.front());
-        } else {
-            join_rigidly(state, members, rigid_cluster(state, members));
-        }
-        begin = end;
-    }
-    std::sort(state.single.begin(), state.single.end());
-}
-
 /// Bodies that lie in one another by more than a pack may overlap its region start with forces nobody asked for.
 std::vector<Problem> overlapping_bodies(const model::Scene& scene, const State& state) {
     const Elements& elements = state.elements;
@@ -245,26 +137,6 @@ std::vector<Problem> overlapping_bodies(const model::Scene& scene, const State& 
     return problems;
 }
 
-void apply(const model::ContactRule& said, Contacts& contacts) {
-    for (const auto& [a, b] : {std::pair{said.first, said.second}, std::pair{said.second, said.first}}) {
-        PairRule& rule = contacts.rules[a * contacts.materials + b];
-        if (said.friction) rule.params.mu = *said.friction;
-        if (said.rolling_friction) rule.rolling_friction = *said.rolling_friction;
-        if (said.contact_damping) rule.damping_fraction = *said.contact_damping;
-        if (said.restitution) rule.damping_fraction = law::damping_fraction(*said.restitution);
-    }
-}
-
-void lay_out_materials(const model::Scene& scene, State& state) {
-    for (const model::Material& material : scene.materials) state.materials.push_back(facts_of(material, scene));
-    state.contacts.materials = state.materials.size();
-    for (const MaterialFacts& a : state.materials) {
-        for (const MaterialFacts& b : state.materials) state.contacts.rules.push_back(pair_rule(a, b));
-    }
-    for (const model::ContactRule& said : scene.contact_rules) apply(said, state.contacts);
-    for (const PairRule& rule : state.contacts.rules) state.contacts.rolls |= rule.rolling_friction > 0.0;
-}
-
 const char* words_for(model::Network network) {
     switch (network) {
     case model::Network::facets:
@@ -278,36 +150,6 @@ const char* words_for(model::Network network) {
         break;
     }
     return "between touching elements";
-}
-
-/// Elements of clusters of at least two, of a material that wears.
-void lay_out_wear(const model::Scene& scene, State& state) {
-    const Elements& elements = state.elements;
-    const bool wears = std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](const model::Body& body) {
-        return body.in_clusters && scene.materials[body.material].wear_energy_density;
-    });
-    if (!wears) return;
-    const Index clusters = *std::max_element(elements.cluster.begin(), elements.cluster.end()) + 1;
-    std::vector<std::size_t> members(clusters);
-    for (const Index cluster : elements.cluster) ++members[cluster];
-    Wear& wear = state.wear;
-    wear.next_cluster = clusters;
-    wear.past.resize(elements.size());
-    for (std::size_t k = 0; k < elements.size(); ++k) {
-        const model::Body& body = scene.bodies[elements.body[k]];
-        const std::optional<double>& W0 = scene.materials[body.material].wear_energy_density;
-        const bool can_leave = body.in_clusters && W0 && members[elements.cluster[k]] > 1;
-        wear.limit.push_back(can_leave ? *W0 * elements.cell_area[k] * state.thickness
-                                       : std::numeric_limits<double>::infinity());
-    }
-}
-
-std::size_t cluster_count(const State& state, const Body& body) {
-    const auto begin = state.elements.cluster.begin();
-    std::vector<Index> numbers(begin + static_cast<std::ptrdiff_t>(body.first),
-                               begin + static_cast<std::ptrdiff_t>(body.last));
-    std::sort(numbers.begin(), numbers.end());
-    return static_cast<std::size_t>(std::unique(numbers.begin(), numbers.end()) - numbers.begin());
 }
 
 std::string describe(const State& state, std::size_t body, std::optional<model::Network> network,
@@ -381,16 +223,6 @@ void look_at_window(const model::Scene& scene, const model::Body& said, const St
 }
 
 } // namespace
-
-PairRule pair_rule(const MaterialFacts& a, const MaterialFacts& b) {
-    PairRule rule;
-    rule.params.Kn = law::in_series(a.stiffness.normal, b.stiffness.normal);
-    rule.params.Kt = law::in_series(a.stiffness.shear, b.stiffness.shear);
-    rule.params.mu = std::min(a.friction, b.friction);
-    rule.rolling_friction = std::min(a.rolling_friction, b.rolling_friction);
-    rule.damping_fraction = 0.5 * (a.damping_fraction + b.damping_fraction);
-    return rule;
-}
 
 Assembly assemble(const model::Scene& scene, const packing::PackStore* packs) {
     Assembly assembly;

@@ -21,7 +21,4 @@ struct Assembly {
 /// Packs come from `packs` if it is given and has them.
 Assembly assemble(const model::Scene& scene, const packing::PackStore* packs = nullptr);
 
-/// Contact law of materials a and b: springs in series, the smaller friction, the mean fraction of critical damping.
-PairRule pair_rule(const MaterialFacts& a, const MaterialFacts& b);
-
 } // namespace demlua::state

@@ -1,7 +1,6 @@
 #include "engine/state/wall_assembly.hpp"
 
 #include "engine/model/figure.hpp"
-#include "engine/state/assemble.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace demlua::step {
@@ -17,7 +18,9 @@ struct HardestContact {
     double levers = 1.0; ///< squares of arms over those of the radius: rolling adds its own as if at the rim
 };
 
-HardestContact hardest_contact(const state::State& state, std::size_t element, bool with_own_body) {
+/// `heaviest`: the greatest mass that moves with an element of each body, kg; empty where partners may be of any mass.
+HardestContact hardest_contact(const state::State& state, std::size_t element, bool with_own_body,
+                               std::span<const double> heaviest) {
     const std::size_t own = state.elements.body[element];
     const std::size_t material = state.bodies[own].material;
     HardestContact hardest;
@@ -27,12 +30,14 @@ HardestContact hardest_contact(const state::State& state, std::size_t element, b
         hardest.Cn = std::max(hardest.Cn, 2.0 * fraction * std::sqrt(params.Kn * mass));
         hardest.Ct = std::max(hardest.Ct, 2.0 * fraction * std::sqrt(params.Kt * mass));
     };
+    constexpr double infinite = std::numeric_limits<double>::infinity();
     const double m = state.pushed_mass(element);
     for (std::size_t b = 0; b < state.bodies.size(); ++b) {
         if (b == own && !with_own_body) continue;
         const state::PairRule& rule =
             state.contacts.rules[material * state.contacts.materials + state.bodies[b].material];
-        meet(rule.params, rule.damping_fraction, b == own ? 0.5 * m : m);
+        const double partner = heaviest.empty() ? (b == own ? m : infinite) : heaviest[b];
+        meet(rule.params, rule.damping_fraction, 1.0 / (1.0 / m + 1.0 / partner));
     }
     const state::MaterialFacts& facts = state.materials[material];
     if (!state.walls.empty()) meet({facts.stiffness.normal, facts.stiffness.shear, 0.0}, facts.damping_fraction, m);
@@ -46,7 +51,7 @@ double room_around(double R, double smallest) { return std::numbers::pi / std::a
 
 Felt hardest_contacts(const state::State& state, std::size_t k, double count, bool with_own_body) {
     constexpr double sides = 2.0;
-    const HardestContact contact = hardest_contact(state, k, with_own_body);
+    const HardestContact contact = hardest_contact(state, k, with_own_body, {});
     const state::Elements& elements = state.elements;
     const double along = sides * along_one_direction(count) * elements.inverse_mass[k];
     const double turn =
@@ -56,9 +61,11 @@ Felt hardest_contacts(const state::State& state, std::size_t k, double count, bo
     return {contact.Kn * normal + contact.Kt * shear, contact.Cn * normal + contact.Ct * shear};
 }
 
-RigidlyFelt hardest_contacts_on(const state::State& state, const state::RigidBody& rigid, std::size_t k, double count) {
+RigidlyFelt hardest_contacts_on(const state::State& state, const state::RigidBody& rigid, std::size_t k, double count,
+                                std::span<const double> heaviest) {
     constexpr double sides = 2.0;
-    const HardestContact contact = hardest_contact(state, k, state.bodies[state.elements.body[k]].in_clusters);
+    const bool among_themselves = state.bodies[state.elements.body[k]].in_clusters;
+    const HardestContact contact = hardest_contact(state, k, among_themselves, heaviest);
     const double arm = norm(state.elements.position(k) - rigid.middle());
     const double lever = arm + state.elements.radius[k];
     const double along = sides * along_one_direction(count) / rigid.mass;

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <span>
 
 namespace demlua::step {
 
@@ -21,11 +22,13 @@ double room_around(double R, double smallest);
 /// and with its own body too when `with_own_body`. The elements on the other side are allowed for.
 Felt hardest_contacts(const state::State& state, std::size_t k, double count, bool with_own_body);
 
-/// What `count` of the hardest contacts with element k add to the largest eigenvalue of its rigid body, scaled likewise.
+/// What `count` of the hardest contacts with element k add to the largest eigenvalue of its rigid body, scaled likewise;
+/// `heaviest` is the greatest mass that moves with an element of each body, kg.
 struct RigidlyFelt {
     double stiffness = 0.0; ///< 1/s^2
     double damping = 0.0;   ///< 1/s
 };
-RigidlyFelt hardest_contacts_on(const state::State& state, const state::RigidBody& rigid, std::size_t k, double count);
+RigidlyFelt hardest_contacts_on(const state::State& state, const state::RigidBody& rigid, std::size_t k, double count,
+                                std::span<const double> heaviest);
 
 } // namespace demlua::step

@@ -68,6 +68,15 @@ void count_rigid_neighbours(const state::State& state, std::vector<std::size_t>&
     });
 }
 
+std::vector<double> heaviest_of_bodies(const state::State& state) {
+    std::vector<double> heaviest(state.bodies.size());
+    for (std::size_t k = 0; k < state.elements.size(); ++k) {
+        double& mass = heaviest[state.elements.body[k]];
+        mass = std::max(mass, state.pushed_mass(k));
+    }
+    return heaviest;
+}
+
 } // namespace
 
 Facts facts_of(const state::State& state) {
@@ -131,6 +140,8 @@ Tightest bound_of(const state::State& state, const Facts& facts, std::size_t bod
 
 Tightest bound_of_rigid(const state::State& state, const Facts& facts) {
     Tightest tightest;
+    if (state.rigid_row.empty()) return tightest;
+    const std::vector<double> heaviest = heaviest_of_bodies(state);
     for (const state::RigidBody& rigid : state.rigid_bodies) {
         if (rigid.empty()) continue;
         double stiffness = 0.0;
@@ -138,7 +149,7 @@ Tightest bound_of_rigid(const state::State& state, const Facts& facts) {
         for (const Index k : state.members(rigid)) {
             const double room = room_around(state.elements.radius[k], facts.smallest_radius);
             const double free = std::max(room - static_cast<double>(facts.neighbours[k]), 0.0);
-            const RigidlyFelt felt = hardest_contacts_on(state, rigid, k, free);
+            const RigidlyFelt felt = hardest_contacts_on(state, rigid, k, free, heaviest);
             stiffness += felt.stiffness;
             damping += felt.damping;
         }
