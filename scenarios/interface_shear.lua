@@ -64,7 +64,7 @@ sim:every { 1e-4, function(now)
   end
 end }
 rough:move { velocity = { dem.ramp { to = p.speed, over = 5e-3, start = sim.now.time }, 0 } }
-sim:history { every = 5e-4, ratio = ratio, turned = turned, worn = function(now) return now.worn end, lid = function() return lid.stress.y end }
+sim:history { every = 5e-4, ratio = ratio, turned = turned, lid = function() return lid.stress.y end }
 sim:output { every = 5e-3 }
 sim:run { duration = p.slip / p.speed }
 

@@ -28,6 +28,7 @@ struct Parameter {
 struct HistoryRequest {
     SharedInterval interval;
     std::vector<std::pair<std::string, std::function<double(observe::Simulation&)>>> columns;
+    Place place = {}; ///< of the sim:history
 };
 
 /// One call of sim:run, or of sim:solve_static.

@@ -85,6 +85,21 @@ std::vector<output::SummaryParameter> for_summary(const std::vector<Parameter>& 
     return rows;
 }
 
+/// The user's columns stand beside those that every history has.
+void refuse_taken_names(const observe::Simulation& simulation, const std::vector<HistoryRequest>& histories) {
+    const observe::HistoryRow standing = simulation.history_row();
+    std::vector<Problem> problems;
+    for (const HistoryRequest& history : histories) {
+        for (const auto& column : history.columns) {
+            const auto same = [&](const auto& each) { return each.first == column.first; };
+            if (std::none_of(standing.begin(), standing.end(), same)) continue;
+            problems.push_back({history.place, "history." + column.first, "",
+                                "is the name of a column that the history has anyway", "give yours another"});
+        }
+    }
+    if (!problems.empty()) throw SceneError(std::move(problems));
+}
+
 } // namespace
 
 RunHost::RunHost(RunSettings settings, Terminal& terminal, const std::atomic<bool>& interrupted)
@@ -113,18 +128,20 @@ observe::RunReport RunHost::run(const model::Scene& scene, const RunRequest& req
 
 void RunHost::begin_run(const model::Scene& scene, const RunRequest& request) {
     if (!simulation_) {
-        start(scene);
+        start(scene, request);
     } else {
         simulation_->take_in(scene);
+        refuse_taken_names(*simulation_, request.histories);
         inputs_ = output::inputs_json(scene, *simulation_);
     }
     if (!request.rest && !request.slowly) terminal_.say(run_outlook(*simulation_, request.duration));
 }
 
-void RunHost::start(const model::Scene& scene) {
+void RunHost::start(const model::Scene& scene, const RunRequest& request) {
     const auto begin = Clock::now();
     simulation_ = std::make_unique<observe::Simulation>(scene, settings_.threads, settings_.packs.get());
     assembly_time_ = seconds_since(begin);
+    refuse_taken_names(*simulation_, request.histories);
     inputs_ = output::inputs_json(scene, *simulation_);
     settings_.folder.open(settings_.scene_text);
     writer_ = std::make_unique<output::Writer>(settings_.folder);

@@ -58,7 +58,7 @@ public:
     output::SummaryEnding finish(const std::string& failure);
 
 private:
-    void start(const model::Scene& scene);
+    void start(const model::Scene& scene, const RunRequest& request);
     void begin_run(const model::Scene& scene, const RunRequest& request);
     [[nodiscard]] std::vector<observe::Watcher> watchers(const RunRequest& request, Progress& progress);
     void take_frame();

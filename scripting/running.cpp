@@ -58,7 +58,7 @@ double column_value(Context& context, observe::Simulation& simulation, const His
 }
 
 HistoryRequest request_of(Context& context, const History& history) {
-    HistoryRequest request{history.interval, {}};
+    HistoryRequest request{history.interval, {}, history.place};
     for (const HistoryColumn& column : history.columns) {
         request.columns.emplace_back(column.name,
                                      [&context, column, place = history.place](observe::Simulation& simulation) {

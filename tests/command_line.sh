@@ -51,6 +51,28 @@ expect 0 "$small" -o profiled.out --profile
 says out.txt "profile, ns per element and step: "
 rm -r profiled.out
 
+cat >taken.lua <<'END'
+local dem = require "dem"
+local stone = dem.material { youngs_modulus = 1e8, poissons_ratio = 0.2, density = 2600 }
+local sim = dem.simulation {}
+sim:body { name = "a", material = stone, packing = dem.disks { { 0, 0, 0.01 } } }
+sim:history { every = 1e-3, contacts = function() return 1 end }
+sim:run { duration = 1e-2 }
+END
+expect 2 taken.lua
+says err.txt "taken.lua:5: history.contacts: is the name of a column that the history has anyway"
+none taken.out
+cat >full.lua <<'END'
+local dem = require "dem"
+local stone = dem.material { youngs_modulus = 1e8, poissons_ratio = 0.2, density = 2600 }
+local sim = dem.simulation {}
+sim:grains { name = "bed", material = stone, region = dem.rectangle { size = { 1, 1 } }, radius = 0.05, porosity = 0.2, method = "insertion" }
+sim:run { duration = 1e-2 }
+END
+expect 2 full.lua
+says err.txt 'full.lua:4: body.packing = "bed": inserted grains: no place found for grain'
+none full.out
+
 # ---- wrong words: every problem on its line, nothing written -------------------------------------
 expect 2
 says err.txt "FILE.lua: missing"

@@ -38,6 +38,16 @@ packing::Packing porous(packing::Packing whole, const Choice& choice) {
     return choice.removed > 0.0 ? packing::thinned(whole, choice.removed, choice.seed) : std::move(whole);
 }
 
+/// Where a pack cannot be made, the packing says why and the scene says where.
+template <class Pack>
+packing::Packing told_where(const model::Body& body, const Pack& pack) {
+    try {
+        return pack();
+    } catch (const RunError& error) {
+        throw SceneError(Problem{body.place, "body.packing", '"' + body.name + '"', error.what(), ""});
+    }
+}
+
 packing::Packing packed(const model::Body& body, const packing::PackStore* packs) {
     return std::visit(
         [&](const auto& choice) -> packing::Packing {
@@ -237,7 +247,7 @@ Assembly assemble(const model::Scene& scene, const packing::PackStore* packs) {
     Index clusters = 0;
     for (std::size_t row = 0; row < scene.bodies.size(); ++row) {
         const model::Body& said = scene.bodies[row];
-        packing::Packing pack = packed(said, packs);
+        packing::Packing pack = told_where(said, [&] { return packed(said, packs); });
         cells.push_back(shared_out(said, pack));
         if (pack.centre.empty()) {
             problems.push_back({said.place, "body.region", '"' + said.name + '"', "is too small for one element",
