@@ -71,18 +71,21 @@ std::vector<NewContact> part_from_mates(state::State& state, const std::vector<I
     return contacts;
 }
 
-void leave_rigid(state::State& state, Search& search, std::size_t k) {
+/// Whether there was a rigid body to leave.
+bool leave_rigid(state::State& state, Search& search, std::size_t k) {
     const std::optional<std::size_t> row = state.rigid_of(k);
-    if (!row) return;
+    if (!row) return false;
     const auto members = state.members(state.rigid_bodies[*row]);
     const std::vector<Index> mates(members.begin(), members.end());
     let_go_of_rigid(state, k);
     append_contacts(state, search, part_from_mates(state, mates, k));
+    return true;
 }
 
+/// Whether bonds were marked. The last element of a cluster has none to leave.
 bool leave_cluster(state::State& state, Search& search, std::size_t k) {
     forget_inner_work(state, k);
-    leave_rigid(state, search, k);
+    const bool left_rigid = leave_rigid(state, search, k);
     bool marked = false;
     for (state::AnyBondSet& any : state.bond_sets) {
         std::visit(
@@ -91,8 +94,9 @@ bool leave_cluster(state::State& state, Search& search, std::size_t k) {
             },
             any);
     }
-    state.elements.cluster[k] = state.wear.next_cluster++;
     state.wear.limit[k] = std::numeric_limits<double>::infinity();
+    if (!left_rigid && !marked) return false;
+    state.elements.cluster[k] = state.wear.next_cluster++;
     ++state.wear.left;
     return marked;
 }
