@@ -31,7 +31,7 @@ compute virial all pressure NULL virial
 variable xx equal c_virial[1]*lx*ly
 variable yy equal c_virial[2]*lx*ly
 variable xy equal c_virial[4]*lx*ly
-compute near bed contact/atom
+compute near all contact/atom
 compute touching bed reduce ave c_near
 compute motion bed ke
 compute turning bed erotate/sphere
