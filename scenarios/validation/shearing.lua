@@ -13,10 +13,11 @@ local p = dem.param {
   speed    = { 0.5, "m/s", help = "of the upper row" },
   strain   = { 4, help = "way of the upper row over height; the second half counts" },
   friction = { 0.3 },
+  restitution = { 0.5 },
   seed     = { 1 },
   publish  = { false, help = "disks and law among the results, for another program to start from" },
 }
-local largest, youngs_modulus, nu, density, restitution = 5e-3, 3e6, 0.2, 2000, 0.5
+local largest, youngs_modulus, nu, density, restitution = 5e-3, 3e6, 0.2, 2000, p.restitution
 math.randomseed(p.seed)
 
 local pitch = 2.3 * largest
