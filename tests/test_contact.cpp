@@ -2,7 +2,7 @@
 #include "engine/law/restitution.hpp"
 #include "engine/law/stiffness.hpp"
 #include "tests/catch.hpp"
-#include "tests/scenes.hpp"
+#include "tests/grain_scenes.hpp"
 
 #include <cmath>
 
@@ -13,25 +13,13 @@ namespace {
 
 constexpr double R = 5e-3;
 
-model::Material bouncing(double restitution, double friction) {
-    model::Material material = test::concrete();
-    material.restitution = restitution;
-    material.friction = friction;
-    return material;
-}
-
-model::Wall floor_wall() {
-    model::Wall wall;
-    wall.name = "floor";
-    wall.path = {{-1.0, 0.0}, {1.0, 0.0}};
-    return wall;
-}
+model::Wall floor_wall() { return test::wall_along("floor", {{-1.0, 0.0}, {1.0, 0.0}}); }
 
 } // namespace
 
 TEST_CASE("two disks part with the restitution asked for") {
     const double e = GENERATE(1.0, 0.8, 0.5, 0.2);
-    model::Scene scene = test::scene_of(bouncing(e, 0.0));
+    model::Scene scene = test::scene_of(test::bouncing(e, 0.0));
     scene.step_fraction = 0.02;
     scene.bodies.push_back(test::disks("left", {{{0.0, 0.0}, R}}, model::NoBonds{}));
     scene.bodies.push_back(test::disks("right", {{{2.05 * R, 0.0}, R}}, model::NoBonds{}));
@@ -48,7 +36,7 @@ TEST_CASE("two disks part with the restitution asked for") {
 
 TEST_CASE("a head-on contact reaches the overlap and duration of a linear spring") {
     // Greatest overlap v sqrt(m_eff/k), duration pi sqrt(m_eff/k).
-    model::Scene scene = test::scene_of(bouncing(1.0, 0.0));
+    model::Scene scene = test::scene_of(test::bouncing(1.0, 0.0));
     scene.step_fraction = 0.02;
     scene.bodies.push_back(test::disks("left", {{{0.0, 0.0}, R}}, model::NoBonds{}));
     scene.bodies.push_back(test::disks("right", {{{2.01 * R, 0.0}, R}}, model::NoBonds{}));
@@ -72,7 +60,7 @@ TEST_CASE("a disk that slides on impact keeps to the closed form of gross slidin
     // v_t' = v_t - mu (1 + e) v_n, omega' = 2 mu (1 + e) v_n / R
     const double mu = 0.1;
     const double e = 0.6;
-    model::Scene scene = test::scene_of(bouncing(e, mu));
+    model::Scene scene = test::scene_of(test::bouncing(e, mu));
     scene.step_fraction = 0.02;
     scene.walls.push_back(floor_wall());
     scene.bodies.push_back(test::disks("disk", {{{0.0, 1.05 * R}, R}}, model::NoBonds{}));
@@ -94,7 +82,7 @@ TEST_CASE("a sliding disk ends up rolling at two thirds of its speed") {
     const double g = 9.81;
     const double u0 = 0.5;
     const double mu = 0.3;
-    model::Scene scene = test::scene_of(bouncing(0.3, mu));
+    model::Scene scene = test::scene_of(test::bouncing(0.3, mu));
     scene.materials[0].youngs_modulus = 1e7; // soft enough for a long run; the motion does not depend on it
     scene.gravity = {0.0, -g};
     scene.walls.push_back(floor_wall());
@@ -127,11 +115,9 @@ TEST_CASE("free flight follows the parabola and turns at a constant rate") {
 }
 
 TEST_CASE("a wall that moves pushes a disk to twice its speed") {
-    model::Scene scene = test::scene_of(bouncing(1.0, 0.0));
+    model::Scene scene = test::scene_of(test::bouncing(1.0, 0.0));
     scene.step_fraction = 0.02;
-    model::Wall wall;
-    wall.name = "piston";
-    wall.path = {{-1.1 * R, -1.0}, {-1.1 * R, 1.0}};
+    model::Wall wall = test::wall_along("piston", {{-1.1 * R, -1.0}, {-1.1 * R, 1.0}});
     wall.velocity_x = Signal::constant(2.0);
     scene.walls.push_back(wall);
     scene.bodies.push_back(test::disks("disk", {{{0.0, 0.0}, R}}, model::NoBonds{}));
@@ -144,7 +130,7 @@ TEST_CASE("a wall that moves pushes a disk to twice its speed") {
 TEST_CASE("a disk rests on the corner of a wall and on the joint of two segments alike") {
     // The same floor in one piece and with a joint under the disk: one contact each, the same force.
     for (const bool jointed : {false, true}) {
-        model::Scene scene = test::scene_of(bouncing(0.3, 0.5));
+        model::Scene scene = test::scene_of(test::bouncing(0.3, 0.5));
         scene.gravity = {0.0, -9.81};
         scene.materials[0].youngs_modulus = 1e7;
         model::Wall wall = floor_wall();

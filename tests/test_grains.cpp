@@ -1,7 +1,7 @@
 // Loose grains: no contact gives energy away for nothing, no result hangs on numbering, and what lies still stays so.
 #include "engine/law/stiffness.hpp"
 #include "tests/catch.hpp"
-#include "tests/scenes.hpp"
+#include "tests/grain_scenes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,13 +19,6 @@ namespace {
 constexpr double R = 5e-3;
 constexpr double speed = 1.0;
 
-model::Material grain(double restitution, double friction) {
-    model::Material material = test::concrete();
-    material.restitution = restitution;
-    material.friction = friction;
-    return material;
-}
-
 law::ContactStiffness stiffness(const model::Material& material) {
     return law::contact_stiffness(law::plane_moduli(material.youngs_modulus, material.poissons_ratio, false), 1.0);
 }
@@ -41,10 +34,7 @@ double kinetic(double mass, Vec2 velocity, double spin) {
 model::Scene thrown_at_all_angles(const model::Material& material, double spin, double contact) {
     model::Scene scene = test::scene_of(material);
     scene.step_fraction = 0.02;
-    model::Wall floor;
-    floor.name = "floor";
-    floor.path = {{0.0, 0.0}, {4.0 * R * 91.0, 0.0}};
-    scene.walls.push_back(floor);
+    scene.walls.push_back(test::wall_along("floor", {{0.0, 0.0}, {4.0 * R * 91.0, 0.0}}));
     for (int angle = 1; angle < 90; ++angle) {
         const double turned = angle * std::numbers::pi / 180.0;
         const Vec2 velocity{speed * std::sin(turned), -speed * std::cos(turned)};
@@ -79,13 +69,10 @@ std::vector<model::Disk> lattice(Vec2 at, std::size_t columns, std::size_t rows)
 
 /// Two heaps thrown at each other over a floor.
 model::Scene colliding_heaps(bool shuffled) {
-    model::Scene scene = test::scene_of(grain(0.6, 0.4));
+    model::Scene scene = test::scene_of(test::bouncing(0.6, 0.4));
     scene.materials[0].youngs_modulus = 1e8;
     scene.gravity = {0.0, -9.81};
-    model::Wall floor;
-    floor.name = "floor";
-    floor.path = {{-1.0, 0.0}, {1.0, 0.0}};
-    scene.walls.push_back(floor);
+    scene.walls.push_back(test::wall_along("floor", {{-1.0, 0.0}, {1.0, 0.0}}));
     for (const double side : {-1.0, 1.0}) {
         const std::vector<model::Disk> disks = lattice({side * 7.0 * R - 5.0 * R, R}, 6, 5);
         std::vector<model::Disk> listed;
@@ -98,7 +85,7 @@ model::Scene colliding_heaps(bool shuffled) {
 
 /// Two disks that meet off centre, in either order.
 model::Scene struck_pair(bool exchanged, double smaller) {
-    model::Scene scene = test::scene_of(grain(0.7, 0.3));
+    model::Scene scene = test::scene_of(test::bouncing(0.7, 0.3));
     std::vector<model::Body> pair{test::disks("one", {{{0.0, 0.0}, R}}, model::NoBonds{}),
                                   test::disks("other", {{{1.9 * R, 0.9 * R}, smaller * R}}, model::NoBonds{})};
     pair[0].velocity = {speed, 0.0};
@@ -125,7 +112,7 @@ TEST_CASE("a frictional impact gains no energy at any angle") {
     const double restitution = GENERATE(1.0, 0.5);
     const double friction = GENERATE(0.0, 0.1, 0.5, 1.0);
     const double spin = GENERATE(0.0, 1.5, -1.5) * speed / R;
-    const model::Material material = grain(restitution, friction);
+    const model::Material material = test::bouncing(restitution, friction);
     const law::ContactStiffness K = stiffness(material);
     const double m = disk_mass(material);
     const double contact = std::numbers::pi * std::sqrt(m / K.normal);
@@ -190,7 +177,7 @@ TEST_CASE("a pair is struck alike whichever of it comes first") {
 
 TEST_CASE("a pile that has come to rest stays where it is") {
     // Three disks in a tray, one on two. At rest a place is known to its last digit.
-    model::Scene scene = test::scene_of(grain(0.3, 0.5));
+    model::Scene scene = test::scene_of(test::bouncing(0.3, 0.5));
     scene.materials[0].youngs_modulus = 1e7;
     scene.gravity = {0.0, -9.81};
     model::Wall tray;

@@ -2,7 +2,7 @@
 #include "engine/model/figure.hpp"
 #include "engine/step/time_step.hpp"
 #include "tests/catch.hpp"
-#include "tests/scenes.hpp"
+#include "tests/grain_scenes.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -16,13 +16,6 @@ namespace {
 
 constexpr double R = 5e-3;
 constexpr double pi = std::numbers::pi;
-
-model::Material bouncing(double restitution, double friction) {
-    model::Material material = test::concrete();
-    material.restitution = restitution;
-    material.friction = friction;
-    return material;
-}
 
 /// Corners of a rectangle of this size about `centre`.
 std::vector<Vec2> box(Vec2 centre, Vec2 size) {
@@ -89,7 +82,7 @@ TEST_CASE("area, centre and polar moment of figures", "[outline]") {
 }
 
 TEST_CASE("a free outline flies as a stone does", "[outline]") {
-    model::Scene scene = test::scene_of(bouncing(1.0, 0.0));
+    model::Scene scene = test::scene_of(test::bouncing(1.0, 0.0));
     scene.gravity = {0.0, -9.81};
     scene.bodies.push_back(test::disks("far", {{{9.0, 9.0}, R}}, model::NoBonds{}));
     scene.outlines.push_back(outline(box({0.3, 2.0}, {0.3, 0.2})));
@@ -112,7 +105,7 @@ TEST_CASE("a free outline flies as a stone does", "[outline]") {
 TEST_CASE("an outline hits a disk that is held", "[outline]") {
     // Impulse J = 2 v/(1/M + a^2/I) along the normal at arm a, without friction: v' = v - J/M, w' = J a/I. Energy stays, and
     // so does angular momentum about the disk, through whose centre the force goes.
-    model::Scene scene = test::scene_of(bouncing(1.0, 0.0));
+    model::Scene scene = test::scene_of(test::bouncing(1.0, 0.0));
     scene.step_fraction = 0.02;
     scene.bodies.push_back(test::disks("disk", {{{0.0, 0.0}, R}}, model::NoBonds{}));
     hold_all(scene);
@@ -136,7 +129,7 @@ TEST_CASE("an outline hits a disk that is held", "[outline]") {
 
 TEST_CASE("an outline and a disk exchange momentum exactly", "[outline]") {
     // Off centre, with friction and spin: linear and angular momentum of both together stay to rounding.
-    model::Scene scene = test::scene_of(bouncing(0.6, 0.4));
+    model::Scene scene = test::scene_of(test::bouncing(0.6, 0.4));
     scene.step_fraction = 0.02;
     scene.bodies.push_back(test::disks("disk", {{{0.0, 0.0}, 2.0 * R}}, model::NoBonds{}));
     scene.bodies[0].spin = 40.0;
@@ -159,7 +152,7 @@ TEST_CASE("a box slides to rest over disks that are held", "[outline]") {
     // Both loads of the supports slide, so that the box loses mu g a second whichever way they share its weight.
     const double g = 9.81;
     const double mu = 0.2;
-    model::Scene scene = test::scene_of(bouncing(0.2, mu));
+    model::Scene scene = test::scene_of(test::bouncing(0.2, mu));
     scene.materials[0].youngs_modulus = 1e7;
     scene.gravity = {0.0, -g};
     scene.bodies.push_back(test::disks("feet", {{{-0.03, 0.0}, R}, {{0.03, 0.0}, R}}, model::NoBonds{}));
@@ -181,7 +174,7 @@ TEST_CASE("a box slides to rest over disks that are held", "[outline]") {
 
 TEST_CASE("an outline that is moved does the work, one let go keeps its speed", "[outline]") {
     // Lifted at speed v for a time t against its weight: M g v t, then a throw of v^2/(2 g).
-    model::Scene scene = test::scene_of(bouncing(1.0, 0.0));
+    model::Scene scene = test::scene_of(test::bouncing(1.0, 0.0));
     const double g = 9.81;
     scene.gravity = {0.0, -g};
     scene.bodies.push_back(test::disks("far", {{{9.0, 9.0}, R}}, model::NoBonds{}));
@@ -207,7 +200,7 @@ TEST_CASE("an outline that is moved does the work, one let go keeps its speed", 
 }
 
 TEST_CASE("a light outline is allowed for in the time step", "[outline]") {
-    model::Scene scene = test::scene_of(bouncing(1.0, 0.3));
+    model::Scene scene = test::scene_of(test::bouncing(1.0, 0.3));
     scene.materials.push_back(scene.materials[0]);
     scene.materials[1].density = 20.0;
     std::vector<model::Disk> list;
@@ -246,7 +239,7 @@ TEST_CASE("outlines that cannot be are refused", "[outline]") {
     crossed.region = square;
     CHECK(model::outline_fault(crossed).find("exactly one") != std::string::npos);
     SECTION("round an element") {
-        model::Scene scene = test::scene_of(bouncing(1.0, 0.0));
+        model::Scene scene = test::scene_of(test::bouncing(1.0, 0.0));
         scene.bodies.push_back(test::disks("disk", {{{0.0, 0.0}, R}}, model::NoBonds{}));
         scene.outlines.push_back(outline(box({}, {0.1, 0.1})));
         CHECK_THROWS_WITH(observe::Simulation(scene, 1),

@@ -1,7 +1,7 @@
 // A box that repeats along x, and elements that leave the scene.
 #include "engine/state/state.hpp"
 #include "tests/catch.hpp"
-#include "tests/scenes.hpp"
+#include "tests/grain_scenes.hpp"
 
 #include <cmath>
 
@@ -12,17 +12,16 @@ namespace {
 
 constexpr double R = 5e-3;
 
-model::Material bouncing(double restitution, double friction) {
-    model::Material material = test::concrete();
+/// Soft enough for the runs below.
+model::Material soft(double restitution, double friction) {
+    model::Material material = test::bouncing(restitution, friction);
     material.youngs_modulus = 1e8;
-    material.restitution = restitution;
-    material.friction = friction;
     return material;
 }
 
 /// Disks at places of a coarse lattice with velocities that repeat no pattern, all moved along x by `shift`.
 model::Scene gas(double shift) {
-    model::Scene scene = test::scene_of(bouncing(1.0, 0.0));
+    model::Scene scene = test::scene_of(soft(1.0, 0.0));
     scene.periodic_x = Vec2{0.0, 0.2};
     scene.step_fraction = 0.05;
     for (int k = 0; k < 40; ++k) {
@@ -33,20 +32,15 @@ model::Scene gas(double shift) {
             test::disks("disk " + std::to_string(k), {{{x - 0.2 * std::floor(x / 0.2), 0.02 * row}, R}}, {}));
         scene.bodies.back().velocity = {std::sin(3.0 * k), std::cos(5.0 * k)};
     }
-    model::Wall floor;
-    floor.name = "floor";
-    floor.path = {{-5.0, -R}, {5.0, -R}};
-    model::Wall lid = floor;
-    lid.name = "lid";
-    lid.path = {{-5.0, 0.06 + R}, {5.0, 0.06 + R}};
-    scene.walls = {floor, lid};
+    scene.walls = {test::wall_along("floor", {{-5.0, -R}, {5.0, -R}}),
+                   test::wall_along("lid", {{-5.0, 0.06 + R}, {5.0, 0.06 + R}})};
     return scene;
 }
 
 } // namespace
 
 TEST_CASE("disks meet across the edges of a periodic box") {
-    model::Scene scene = test::scene_of(bouncing(0.5, 0.0));
+    model::Scene scene = test::scene_of(soft(0.5, 0.0));
     scene.periodic_x = Vec2{0.0, 0.1};
     scene.step_fraction = 0.02;
     scene.bodies.push_back(test::disks("left", {{{R, 0.0}, R}}, model::NoBonds{}));
@@ -78,7 +72,7 @@ TEST_CASE("a periodic gas keeps its energy and does not notice where the edges a
 }
 
 TEST_CASE("a periodic box too small for its elements is refused with what it takes") {
-    model::Scene scene = test::scene_of(bouncing(0.5, 0.0));
+    model::Scene scene = test::scene_of(soft(0.5, 0.0));
     scene.periodic_x = Vec2{0.0, 0.02};
     scene.bodies.push_back(test::disks("disk", {{{0.01, 0.0}, R}}, model::NoBonds{}));
     // Twice the reach: two diameters and a skin of 0.8 radii.
@@ -87,7 +81,7 @@ TEST_CASE("a periodic box too small for its elements is refused with what it tak
 }
 
 TEST_CASE("what leaves the domain is counted, booked and no longer drawn") {
-    model::Scene scene = test::scene_of(bouncing(0.5, 0.3));
+    model::Scene scene = test::scene_of(soft(0.5, 0.3));
     scene.gravity = {0.0, -9.81};
     scene.domain = model::Region::rectangle({-1.0, -0.1}, {2.0, 2.0});
     for (int k = 0; k < 5; ++k) {

@@ -2,7 +2,7 @@
 #include "engine/law/stiffness.hpp"
 #include "engine/state/state.hpp"
 #include "tests/catch.hpp"
-#include "tests/scenes.hpp"
+#include "tests/grain_scenes.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -34,17 +34,10 @@ std::vector<model::Disk> trio(Vec2 middle, double angle) {
     return list;
 }
 
-model::Material hard(double restitution, double friction) {
-    model::Material material = test::concrete();
-    material.restitution = restitution;
-    material.friction = friction;
-    return material;
-}
-
 } // namespace
 
 TEST_CASE("a rigid cluster has the mass and inertia of its disks together") {
-    model::Scene scene = test::scene_of(hard(1.0, 0.0));
+    model::Scene scene = test::scene_of(test::bouncing(1.0, 0.0));
     scene.bodies.push_back(clusters("trio", trio({0.1, 0.2}, 0.3), 3));
     const observe::Simulation sim(scene, 1);
     const state::RigidBody& rigid = sim.state().rigid_bodies.at(0);
@@ -55,7 +48,7 @@ TEST_CASE("a rigid cluster has the mass and inertia of its disks together") {
 }
 
 TEST_CASE("a rigid cluster in flight keeps its spin, its path and its shape") {
-    model::Scene scene = test::scene_of(hard(1.0, 0.0));
+    model::Scene scene = test::scene_of(test::bouncing(1.0, 0.0));
     scene.gravity = {0.0, -9.81};
     scene.bodies.push_back(clusters("trio", trio({0.0, 0.0}, 0.0), 3));
     scene.bodies[0].velocity = {1.0, 2.0};
@@ -77,7 +70,7 @@ TEST_CASE("a rigid cluster in flight keeps its spin, its path and its shape") {
 
 TEST_CASE("a disk that hits the end of a rod gives it the impulse of rigid bodies") {
     // Impulse J = 2 v / (1/m + 1/M + a^2/I) without friction, at arm a.
-    model::Scene scene = test::scene_of(hard(1.0, 0.0));
+    model::Scene scene = test::scene_of(test::bouncing(1.0, 0.0));
     scene.step_fraction = 0.01;
     scene.bodies.push_back(clusters("rod", {{{0.0, 0.0}, R}, {{2.0 * R, 0.0}, R}, {{4.0 * R, 0.0}, R}}, 3));
     scene.bodies.push_back(test::disks("shot", {{{4.0 * R, 2.02 * R}, R}}, model::NoBonds{}));
@@ -97,7 +90,7 @@ TEST_CASE("a disk that hits the end of a rod gives it the impulse of rigid bodie
 
 TEST_CASE("a rigid cluster that meets a disk head-on parts with the restitution asked for") {
     const double e = GENERATE(0.8, 0.4);
-    model::Scene scene = test::scene_of(hard(e, 0.0));
+    model::Scene scene = test::scene_of(test::bouncing(e, 0.0));
     scene.step_fraction = 0.01;
     scene.bodies.push_back(clusters("rod", {{{0.0, 0.0}, R}, {{2.0 * R, 0.0}, R}}, 2));
     scene.bodies.push_back(test::disks("shot", {{{4.02 * R, 0.0}, R}}, model::NoBonds{}));
@@ -108,7 +101,7 @@ TEST_CASE("a rigid cluster that meets a disk head-on parts with the restitution 
 }
 
 TEST_CASE("a heap of rigid clusters comes out alike on any number of threads and closes its ledger") {
-    model::Scene scene = test::scene_of(hard(0.5, 0.4));
+    model::Scene scene = test::scene_of(test::bouncing(0.5, 0.4));
     scene.materials[0].youngs_modulus = 1e8;
     scene.gravity = {0.0, -9.81};
     std::vector<model::Disk> list;
@@ -120,10 +113,7 @@ TEST_CASE("a heap of rigid clusters comes out alike on any number of threads and
     }
     scene.bodies.push_back(clusters("heap", list, 3));
     scene.bodies.back().velocity = {0.0, -1.0};
-    model::Wall box;
-    box.name = "box";
-    box.path = {{-4.0 * R, 1.0}, {-4.0 * R, -R}, {95.0 * R, -R}, {95.0 * R, 1.0}};
-    scene.walls.push_back(box);
+    scene.walls.push_back(test::wall_along("box", {{-4.0 * R, 1.0}, {-4.0 * R, -R}, {95.0 * R, -R}, {95.0 * R, 1.0}}));
     std::vector<std::uint64_t> hashes;
     for (const int threads : {1, 2, 3}) {
         observe::Simulation sim(scene, threads);

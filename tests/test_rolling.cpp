@@ -1,7 +1,7 @@
 // Rolling friction: the law, and a disk that it brings to rest.
 #include "engine/law/rolling.hpp"
 #include "tests/catch.hpp"
-#include "tests/scenes.hpp"
+#include "tests/grain_scenes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -43,10 +43,7 @@ TEST_CASE("rolling friction brings a rolling disk to rest at two thirds of mu_r 
     scene.materials[0].restitution = 0.3;
     scene.materials[0].rolling_friction = mu_r;
     scene.gravity = {0.0, -g};
-    model::Wall floor;
-    floor.name = "floor";
-    floor.path = {{-1.0, 0.0}, {1.0, 0.0}};
-    scene.walls.push_back(floor);
+    scene.walls.push_back(test::wall_along("floor", {{-1.0, 0.0}, {1.0, 0.0}}));
     scene.bodies.push_back(test::disks("disk", {{{0.0, R}, R}}, model::NoBonds{}));
     scene.bodies[0].velocity = {u, 0.0};
     scene.bodies[0].spin = -u / R;

@@ -1,7 +1,7 @@
 // Walls that seek a stress or a force.
 #include "engine/state/state.hpp"
 #include "tests/catch.hpp"
-#include "tests/scenes.hpp"
+#include "tests/grain_scenes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,13 +25,6 @@ model::Material grains() {
     return material;
 }
 
-model::Wall wall_along(const std::string& name, std::vector<Vec2> path) {
-    model::Wall wall;
-    wall.name = name;
-    wall.path = std::move(path);
-    return wall;
-}
-
 /// `count` disks one upon another on a floor, kept from leaving the line, and a lid above them.
 model::Scene column_under_lid(std::size_t count, double gap, const model::Servo& servo) {
     model::Scene scene = test::scene_of(grains());
@@ -45,8 +38,8 @@ model::Scene column_under_lid(std::size_t count, double gap, const model::Servo&
     upright.y = false;
     scene.supports.push_back(upright);
     const double top = 2.0 * static_cast<double>(count) * R + gap;
-    scene.walls.push_back(wall_along("floor", {{-R, 0.0}, {R, 0.0}}));
-    scene.walls.push_back(wall_along("lid", {{-R, top}, {R, top}}));
+    scene.walls.push_back(test::wall_along("floor", {{-R, 0.0}, {R, 0.0}}));
+    scene.walls.push_back(test::wall_along("lid", {{-R, top}, {R, top}}));
     scene.walls[1].servo = servo;
     scene.step_fraction = impact_step;
     return scene;
@@ -117,7 +110,7 @@ TEST_CASE("a servo presses towards the elements along either axis and from eithe
     held.selection = test::all_of(0);
     scene.supports.push_back(held);
     const double at = 1.2 * side * R;
-    model::Wall wall = wall_along("press", {placed(at, -0.1), placed(at, 0.1)});
+    model::Wall wall = test::wall_along("press", {placed(at, -0.1), placed(at, 0.1)});
     wall.servo.emplace();
     (along_x ? wall.servo->force_x : wall.servo->force_y) = Signal::constant(F);
     (along_x ? wall.velocity_y : wall.velocity_x) = Signal::constant(0.2); // goes on along the other
@@ -148,8 +141,8 @@ TEST_CASE("a bed in a box comes to rest under a servo lid", "[servo]") {
     }
     scene.bodies.push_back(test::disks("bed", list, model::NoBonds{}));
     const double width = 20.0 * R;
-    scene.walls.push_back(wall_along("box", {{0.0, 0.2}, {0.0, 0.0}, {width, 0.0}, {width, 0.2}}));
-    scene.walls.push_back(wall_along("lid", {{0.0, 17.0 * R}, {width, 17.0 * R}}));
+    scene.walls.push_back(test::wall_along("box", {{0.0, 0.2}, {0.0, 0.0}, {width, 0.0}, {width, 0.2}}));
+    scene.walls.push_back(test::wall_along("lid", {{0.0, 17.0 * R}, {width, 17.0 * R}}));
     const double stress = 50e3;
     scene.walls[1].servo = stress_along_y(Signal::constant(stress));
     observe::Simulation sim(scene, 1);

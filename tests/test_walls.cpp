@@ -4,7 +4,7 @@
 #include "engine/step/wall_parts.hpp"
 #include "engine/step/wall_search.hpp"
 #include "tests/catch.hpp"
-#include "tests/scenes.hpp"
+#include "tests/grain_scenes.hpp"
 
 #include <array>
 #include <cmath>
@@ -18,27 +18,13 @@ namespace {
 
 constexpr double R = 5e-3;
 
-model::Material bouncing(double restitution, double friction) {
-    model::Material material = test::concrete();
-    material.restitution = restitution;
-    material.friction = friction;
-    return material;
-}
-
-model::Wall wall_along(const std::string& name, std::vector<Vec2> path) {
-    model::Wall wall;
-    wall.name = name;
-    wall.path = std::move(path);
-    return wall;
-}
-
 /// Grains a little apart over a rough floor, some between its teeth.
 model::Scene over_teeth() {
-    model::Scene scene = test::scene_of(bouncing(0.5, 0.4));
+    model::Scene scene = test::scene_of(test::bouncing(0.5, 0.4));
     scene.materials[0].youngs_modulus = 1e7;
     scene.gravity = {0.0, -9.81};
-    scene.walls.push_back(wall_along("rough", model::sawtooth({-0.05, -0.01}, {0.45, 0.01}, 1e-3, 1.5e-3)));
-    scene.walls.push_back(wall_along("box", {{-0.05, 0.4}, {-0.05, -0.01}, {0.45, -0.01}, {0.45, 0.4}}));
+    scene.walls.push_back(test::wall_along("rough", model::sawtooth({-0.05, -0.01}, {0.45, 0.01}, 1e-3, 1.5e-3)));
+    scene.walls.push_back(test::wall_along("box", {{-0.05, 0.4}, {-0.05, -0.01}, {0.45, -0.01}, {0.45, 0.4}}));
     std::vector<model::Disk> list;
     for (int row = 0; row < 32; ++row) {
         for (int column = 0; column < 36; ++column) {
@@ -105,10 +91,10 @@ TEST_CASE("a closed path has no open corner", "[walls]") {
     // that stands on the upper corner of a square meets its point alone.
     const double g = 9.81;
     SECTION("inside a corner") {
-        model::Scene scene = test::scene_of(bouncing(0.2, 0.0));
+        model::Scene scene = test::scene_of(test::bouncing(0.2, 0.0));
         scene.materials[0].youngs_modulus = 1e7;
         scene.gravity = {0.0, -g};
-        scene.walls.push_back(wall_along("funnel", {{0.0, 0.0}, {0.1, 0.1}, {-0.1, 0.1}, {0.0, 0.0}}));
+        scene.walls.push_back(test::wall_along("funnel", {{0.0, 0.0}, {0.1, 0.1}, {-0.1, 0.1}, {0.0, 0.0}}));
         scene.bodies.push_back(test::disks("disk", {{{0.0, std::numbers::sqrt2 * R}, R}}, model::NoBonds{}));
         observe::Simulation sim(scene, 1);
         sim.run(0.3, {});
@@ -121,9 +107,10 @@ TEST_CASE("a closed path has no open corner", "[walls]") {
         CHECK(std::numbers::sqrt2 * (R - overlap) == Approx(sim.body_motion(0).centre.y).epsilon(1e-6));
     }
     SECTION("on the point where the path begins") {
-        model::Scene scene = test::scene_of(bouncing(1.0, 0.0));
+        model::Scene scene = test::scene_of(test::bouncing(1.0, 0.0));
         scene.step_fraction = 0.05;
-        scene.walls.push_back(wall_along("square", {{0.0, 0.0}, {0.1, -0.1}, {0.0, -0.2}, {-0.1, -0.1}, {0.0, 0.0}}));
+        scene.walls.push_back(
+            test::wall_along("square", {{0.0, 0.0}, {0.1, -0.1}, {0.0, -0.2}, {-0.1, -0.1}, {0.0, 0.0}}));
         scene.bodies.push_back(test::disks("disk", {{{0.0, 1.05 * R}, R}}, model::NoBonds{}));
         scene.bodies[0].velocity = {0.0, -1.0};
         observe::Simulation sim(scene, 1);
@@ -139,8 +126,8 @@ TEST_CASE("a closed path has no open corner", "[walls]") {
 TEST_CASE("a wall turns about its centre and drags along what lies on it", "[walls]") {
     SECTION("geometry") {
         // A point at arm r stands at c + v t + r (cos wt, sin wt).
-        model::Scene scene = test::scene_of(bouncing(1.0, 0.0));
-        model::Wall blade = wall_along("blade", {{0.0, 0.0}, {0.2, 0.0}});
+        model::Scene scene = test::scene_of(test::bouncing(1.0, 0.0));
+        model::Wall blade = test::wall_along("blade", {{0.0, 0.0}, {0.2, 0.0}});
         blade.centre = Vec2{0.0, 0.0};
         blade.spin = Signal::constant(30.0);
         blade.velocity_x = Signal::constant(2.0);
@@ -155,9 +142,9 @@ TEST_CASE("a wall turns about its centre and drags along what lies on it", "[wal
     }
     SECTION("a bat") {
         // The disk leaves a heavy bat at twice the speed w a of the place where it is hit; that energy is the wall's work.
-        model::Scene scene = test::scene_of(bouncing(1.0, 0.0));
+        model::Scene scene = test::scene_of(test::bouncing(1.0, 0.0));
         scene.step_fraction = 0.02;
-        model::Wall bat = wall_along("bat", {{0.0, 0.0}, {1.0, 0.0}});
+        model::Wall bat = test::wall_along("bat", {{0.0, 0.0}, {1.0, 0.0}});
         bat.centre = Vec2{0.0, 0.0};
         bat.spin = Signal::constant(4.0);
         scene.walls.push_back(bat);
@@ -177,7 +164,7 @@ TEST_CASE("a wall turns about its centre and drags along what lies on it", "[wal
     }
     SECTION("a wheel") {
         // A disk pressed into the closed path of a wheel rolls off it: where both surfaces move alike, w R = W r.
-        model::Scene scene = test::scene_of(bouncing(0.5, 0.8));
+        model::Scene scene = test::scene_of(test::bouncing(0.5, 0.8));
         scene.materials[0].youngs_modulus = 1e7;
         scene.step_fraction = 0.1;
         std::vector<Vec2> circle;
@@ -186,7 +173,7 @@ TEST_CASE("a wall turns about its centre and drags along what lies on it", "[wal
             circle.push_back(0.02 * turned({0.0, 1.0}, 2.0 * std::numbers::pi * k / 400.0));
         }
         circle.push_back(circle.front());
-        model::Wall wheel = wall_along("wheel", circle);
+        model::Wall wheel = test::wall_along("wheel", circle);
         wheel.spin = Signal::constant(10.0);
         scene.walls.push_back(wheel);
         scene.bodies.push_back(test::disks("disk", {{{0.0, 0.02 + R}, R}}, model::NoBonds{}));
@@ -207,8 +194,8 @@ TEST_CASE("a wall turns about its centre and drags along what lies on it", "[wal
 }
 
 TEST_CASE("what would pass a wall unseen stops the run", "[walls]") {
-    model::Scene scene = test::scene_of(bouncing(1.0, 0.0));
-    scene.walls.push_back(wall_along("floor", {{-1.0, 0.0}, {1.0, 0.0}}));
+    model::Scene scene = test::scene_of(test::bouncing(1.0, 0.0));
+    scene.walls.push_back(test::wall_along("floor", {{-1.0, 0.0}, {1.0, 0.0}}));
     scene.bodies.push_back(test::disks("shot", {{{0.0, 2.0 * R}, R}}, model::NoBonds{}));
     SECTION("a wall too fast") {
         scene.walls[0].velocity_y = Signal::constant(2e4);

@@ -1,7 +1,7 @@
 // Wear of clusters (Tavarez & Plesha 2007, section 3, eqs 1 and 2).
 #include "engine/state/state.hpp"
 #include "tests/catch.hpp"
-#include "tests/scenes.hpp"
+#include "tests/grain_scenes.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -32,10 +32,7 @@ model::Scene sliding_trio(bool rigid, double speed, double W0) {
     trio.rigid = rigid;
     trio.velocity = {speed, 0.0};
     scene.bodies.push_back(trio);
-    model::Wall floor;
-    floor.name = "floor";
-    floor.path = {{-1.0, 0.0}, {3.0, 0.0}};
-    scene.walls.push_back(floor);
+    scene.walls.push_back(test::wall_along("floor", {{-1.0, 0.0}, {3.0, 0.0}}));
     return scene;
 }
 

@@ -1,6 +1,7 @@
 #include "engine/step/search.hpp"
 
 #include "engine/state/incidence.hpp"
+#include "engine/step/contact_past.hpp"
 #include "engine/step/wall_search.hpp"
 
 #include <algorithm>
@@ -84,13 +85,7 @@ std::vector<Candidate> candidates(const state::State& state, Search& search) {
     return found;
 }
 
-/// What a pair remembers.
-struct Past {
-    state::ContactHistory contact;
-    law::Rolling::History<double> rolling;
-};
-
-void append_row(state::State& state, const Candidate& pair, const Past& past) {
+void append_row(state::State& state, const Candidate& pair, const ContactPast& past) {
     state::Contacts& contacts = state.contacts;
     const state::Elements& elements = state.elements;
     const std::size_t a = state.bodies[elements.body[pair.i]].material;
@@ -133,23 +128,15 @@ state::Contacts emptied(const state::Contacts& old) {
     return contacts;
 }
 
-Past past_of(const state::Contacts& contacts, std::size_t row) {
-    Past past{contacts.history.at(row), {}};
-    if (contacts.rolls) past.rolling = contacts.rolling.history.at(row);
-    return past;
-}
-
 /// What a pair that leaves the list had spent, and what it still stores if an element was taken out.
 void book(state::State& state, const state::Contacts& old, std::size_t row) {
-    const Past past = past_of(old, row);
+    const ContactPast past = past_of(old, row);
     const Index i = old.i[row];
     const Index j = old.j[row];
-    state.contacts.spent.friction += past.contact.friction + past.rolling.friction;
-    state.contacts.spent.damping += past.contact.damped + past.rolling.damped;
+    book_spent(state.contacts.spent, past);
     if (state.wear.present()) state.wear.book(state.elements, i, j, past.contact.friction);
     if (state.is_gone(i) || state.is_gone(j)) {
-        state.booked.removed +=
-            law::Coulomb::stored_energy(old.rules[old.rule[row]].params, old.overlap[row], past.contact);
+        state.booked.removed += stored_in(old, old.rules[old.rule[row]].params, row);
     }
 }
 
@@ -175,7 +162,7 @@ void refresh_pairs(state::State& state, Search& search) {
     };
     for (const Candidate& pair : found) {
         book_until(pair);
-        Past past;
+        ContactPast past;
         if (next != rows.end() && std::tie(old.i[*next], old.j[*next]) == pair.key()) past = past_of(old, *next++);
         append_row(state, pair, past);
     }

@@ -1,5 +1,6 @@
 #include "engine/step/wall_search.hpp"
 
+#include "engine/step/contact_past.hpp"
 #include "engine/step/wall_parts.hpp"
 
 #include <algorithm>
@@ -33,29 +34,14 @@ std::vector<Vec2> shifts_of(const state::Wall& wall, std::size_t segment, Period
     return {{inside - period.length, 0.0}, {inside, 0.0}, {inside + period.length, 0.0}};
 }
 
-/// What a row remembers.
-struct Past {
-    state::ContactHistory contact;
-    law::Rolling::History<double> rolling;
-};
-
-Past past_of(const state::WallContacts& contacts, std::size_t row) {
-    Past past{contacts.history.at(row), {}};
-    if (contacts.rolling.present()) past.rolling = contacts.rolling.history.at(row);
-    return past;
-}
-
 /// What a row that leaves the list had spent, and what it still stores if its element was taken out.
 void book(state::State& state, const state::WallContacts& old, std::size_t row) {
-    const Past past = past_of(old, row);
+    const ContactPast past = past_of(old, row);
     const Index e = old.element[row];
-    state::SpentInContacts& spent = state.wall_contacts.spent;
-    spent.friction += past.contact.friction + past.rolling.friction;
-    spent.damping += past.contact.damped + past.rolling.damped;
+    book_spent(state.wall_contacts.spent, past);
     if (state.wear.present()) state.wear.past[e] += past.contact.friction;
     if (state.is_gone(e)) {
-        const law::Coulomb::Params& params = state::wall_rule(state, old.wall[row], e).params;
-        state.booked.removed += law::Coulomb::stored_energy(params, old.overlap[row], past.contact);
+        state.booked.removed += stored_in(old, state::wall_rule(state, old.wall[row], e).params, row);
     }
 }
 
@@ -91,7 +77,7 @@ std::vector<Candidate> candidates(const state::State& state, double skin, const 
     return found;
 }
 
-void append_row(state::State& state, const Candidate& row, const Past& past) {
+void append_row(state::State& state, const Candidate& row, const ContactPast& past) {
     state::WallContacts& contacts = state.wall_contacts;
     const state::PairRule& rule = state::wall_rule(state, row.wall, row.element);
     const std::optional<state::Matter>& matter = state.walls[row.wall].matter;
@@ -120,7 +106,7 @@ void refresh_wall_contacts(state::State& state, double skin, const Places& place
     for (const Candidate& row : found) {
         while (next < old.size() && key_of(old, next) < row.key()) book(state, old, next++);
         const bool stays = next < old.size() && key_of(old, next) == row.key();
-        append_row(state, row, stays ? past_of(old, next++) : Past{});
+        append_row(state, row, stays ? past_of(old, next++) : ContactPast{});
     }
     while (next < old.size()) book(state, old, next++);
     for (Column<double>* column :

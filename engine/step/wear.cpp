@@ -12,28 +12,31 @@ namespace demlua::step {
 
 namespace {
 
-/// Sliding work of the contacts of element k that are listed now, with elements of other clusters.
-double listed_work(const state::State& state, std::size_t k) {
+/// Calls `work(row)` for the contacts of element k that are listed now, with elements of its own cluster (`inside`) or of others.
+template <class Work>
+void for_each_contact(const state::State& state, std::size_t k, bool inside, const Work& work) {
     const state::Contacts& contacts = state.contacts;
     const Column<Index>& cluster = state.elements.cluster;
-    double work = 0.0;
     for (Index entry = contacts.incidence.start[k]; entry < contacts.incidence.start[k + 1]; ++entry) {
         const std::size_t c = contacts.incidence.end[entry] / 2;
-        if (cluster[contacts.i[c]] != cluster[contacts.j[c]]) work += contacts.history.at(c).friction;
+        if ((cluster[contacts.i[c]] == cluster[contacts.j[c]]) == inside) work(c);
     }
+}
+
+/// Sliding work of the contacts of element k with elements of other clusters, J.
+double listed_work(const state::State& state, std::size_t k) {
+    double work = 0.0;
+    for_each_contact(state, k, false, [&](std::size_t c) { work += state.contacts.history.at(c).friction; });
     return work;
 }
 
 /// Friction between mates was none of the cluster's wear, and is not to become so.
 void forget_inner_work(state::State& state, std::size_t k) {
     const state::Contacts& contacts = state.contacts;
-    const Column<Index>& cluster = state.elements.cluster;
-    for (Index entry = contacts.incidence.start[k]; entry < contacts.incidence.start[k + 1]; ++entry) {
-        const std::size_t c = contacts.incidence.end[entry] / 2;
-        if (cluster[contacts.i[c]] != cluster[contacts.j[c]]) continue;
+    for_each_contact(state, k, true, [&](std::size_t c) {
         state.wear.past[contacts.i[c]] -= contacts.history.at(c).friction;
         state.wear.past[contacts.j[c]] -= contacts.history.at(c).friction;
-    }
+    });
 }
 
 template <class Bonds>
