@@ -72,8 +72,8 @@ TEST_CASE("a servo lid brings a column to its stress and holds it", "[servo]") {
     CHECK(second <= std::max(first, 1e-9));
     // Springs in series: a wall's at both ends and count - 1 between, under F = stress times width times thickness.
     const double F = stress * 2.0 * R;
-    const double wall = sim.state().walls[0].rules[0].params.Kn;
-    const double pair = sim.state().contacts.rules[0].params.Kn;
+    const double wall = sim.state().walls[0].rules[0].Kn;
+    const double pair = sim.state().contacts.rules[0].Kn;
     const double shortened = F * (2.0 / wall + static_cast<double>(count - 1) / pair);
     const double top = 2.0 * static_cast<double>(count) * R;
     CHECK(sim.wall_motion(1).position.y == Approx(top - shortened).margin(1e-3 * shortened));

@@ -103,7 +103,7 @@ TEST_CASE("a closed path has no open corner", "[walls]") {
         CHECK(sim.contact_count() == 2);
         const double weight = g * sim.body_motion(0).mass;
         CHECK(-sim.wall_motion(0).force.y == Approx(weight).epsilon(1e-6));
-        const double overlap = weight / std::numbers::sqrt2 / sim.state().walls[0].rules[0].params.Kn;
+        const double overlap = weight / std::numbers::sqrt2 / sim.state().walls[0].rules[0].Kn;
         CHECK(std::numbers::sqrt2 * (R - overlap) == Approx(sim.body_motion(0).centre.y).epsilon(1e-6));
     }
     SECTION("on the point where the path begins") {

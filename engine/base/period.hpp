@@ -1,6 +1,7 @@
 // A plane that repeats along x.
 #pragma once
 
+#include "engine/base/lanes.hpp"
 #include "engine/base/vec2.hpp"
 
 #include <cmath>
@@ -14,8 +15,9 @@ struct Period {
 
     [[nodiscard]] bool repeats() const { return length > 0.0; }
     /// The shortest of all vectors along which `between` leads.
-    [[nodiscard]] Vec2 shortest(Vec2 between) const {
-        return {between.x - length * std::nearbyint(between.x / length), between.y};
+    template <class T>
+    [[nodiscard]] Vector2<T> shortest(Vector2<T> between) const {
+        return {between.x - length * nearest_whole(between.x / T{length}), between.y};
     }
     /// By how much to shift `x` to bring it between the edges, m.
     [[nodiscard]] double shift_inside(double x) const { return -length * std::floor((x - left) / length); }

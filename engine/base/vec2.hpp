@@ -1,6 +1,8 @@
 // Plane vectors over any number type: double in set-up code, a lane of doubles in the loops.
 #pragma once
 
+#include "engine/base/lanes.hpp"
+
 #include <cmath>
 
 namespace demlua {
@@ -40,7 +42,10 @@ constexpr Vector2<T> turned_left(Vector2<T> a) {
     return {-a.y, a.x};
 }
 
-inline double norm(Vec2 a) { return std::sqrt(dot(a, a)); }
+template <class T>
+T norm(Vector2<T> a) {
+    return square_root(dot(a, a));
+}
 
 /// a turned counter-clockwise by `angle` (rad).
 inline Vec2 turned(Vec2 a, double angle) {

@@ -20,11 +20,13 @@ namespace demlua::law {
 struct Coulomb {
     static constexpr const char* name = "coulomb";
 
-    struct Params {
-        double Kn = 0.0; ///< N/m
-        double Kt = 0.0; ///< N/m
-        double mu = 0.0; ///< friction coefficient
+    template <class T>
+    struct Constants {
+        T Kn{}; ///< N/m
+        T Kt{}; ///< N/m
+        T mu{}; ///< friction coefficient
     };
+    using Params = Constants<double>;
 
     template <class T>
     struct History {
@@ -55,8 +57,8 @@ struct Coulomb {
     };
 
     template <class T>
-    static Force<T> respond(const Params& p, const Input<T>& in, T dt, History<T>& history) {
-        const bool touching = in.overlap > 0.0;
+    static Force<T> respond(const Constants<T>& p, const Input<T>& in, double dt, History<T>& history) {
+        const auto touching = in.overlap > 0.0;
         const T spring = p.Kn * in.overlap;
         const T pressure = select(touching, larger(T{}, spring + in.Cn * in.closing), T{});
         const T damping = select(touching, pressure - spring, T{});
@@ -65,10 +67,10 @@ struct Coulomb {
         const T stretched = history.shear + slide;
         const T trial = p.Kt * stretched + in.Ct * in.sliding;
         const T cap = p.mu * pressure;
-        const bool slips = magnitude(trial) > cap;
+        const auto slips = magnitude(trial) > cap;
         const T shear = select(touching, clamped(trial, cap), T{});
         // The spring cannot hold more than friction lets through.
-        const T held = p.Kt > 0.0 ? select(slips, clamped(p.Kt * stretched, cap) / p.Kt, stretched) : T{};
+        const T held = select(p.Kt > 0.0, select(slips, clamped(p.Kt * stretched, cap) / p.Kt, stretched), T{});
         const T kept = select(touching, held, T{});
 
         const T spent =

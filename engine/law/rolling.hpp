@@ -36,13 +36,14 @@ struct Rolling {
 
     /// Moment on i, N m.
     template <class T>
-    static T respond(const Input<T>& in, T dt, History<T>& history) {
+    static T respond(const Input<T>& in, double dt, History<T>& history) {
         const T rolled = in.rolling * dt;
         const T turned = history.turn + rolled;
         const T trial = in.stiffness * turned + in.dashpot * in.rolling;
-        const bool rolls_on = magnitude(trial) > in.cap;
+        const auto rolls_on = magnitude(trial) > in.cap;
         const T moment = clamped(trial, in.cap);
-        const T kept = in.stiffness > 0.0 && in.cap > 0.0 ? clamped(in.stiffness * turned, in.cap) / in.stiffness : T{};
+        const T kept =
+            select(both(in.stiffness > 0.0, in.cap > 0.0), clamped(in.stiffness * turned, in.cap) / in.stiffness, T{});
         const T spent =
             0.5 * (history.moment + moment) * rolled - 0.5 * in.stiffness * (kept * kept - history.turn * history.turn);
         history.friction += select(rolls_on, spent, T{});

@@ -136,11 +136,11 @@ Ledger ledger_of(const state::State& state) {
         std::visit([&](const auto& bonds) { add_bonds(state, bonds, ledger); }, any);
     }
     add_contacts(
-        state.contacts, [&](std::size_t c) { return state.contacts.rules[state.contacts.rule[c]].params; }, ledger);
+        state.contacts, [&](std::size_t c) { return state.contacts.rules[state.contacts.rule[c]].params(); }, ledger);
     add_contacts(
         state.wall_contacts,
         [&](std::size_t c) {
-            return state::wall_rule(state, state.wall_contacts.wall[c], state.wall_contacts.element[c]).params;
+            return state::wall_rule(state, state.wall_contacts.wall[c], state.wall_contacts.element[c]).params();
         },
         ledger);
     add_rolling(state.contacts.rolling, ledger);

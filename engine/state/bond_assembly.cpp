@@ -4,7 +4,6 @@
 #include "engine/model/derived_law.hpp"
 #include "engine/state/facet_assembly.hpp"
 #include "engine/state/free_wall.hpp"
-#include "engine/state/incidence.hpp"
 
 #include "engine/bonding/runs.hpp"
 
@@ -75,7 +74,6 @@ void lay_out(BondTable<Law>& bonds, const State& state, const std::vector<bondin
         bonds.contact_length.resize(pairs.size());
         bonds.break_time.assign(pairs.size(), std::numeric_limits<double>::infinity());
     }
-    bonds.incidence = incidence_of(bonds.i, bonds.j, body.first, body.size());
     bonds.slots = slots_of(bonds.i, bonds.j, body.first, body.size());
 }
 
@@ -93,8 +91,8 @@ law::ContactStiffness stiffness_of(const BondSet<Law>& bonds, std::size_t /*k*/)
 /// Of a facet whose neighbours stand still.
 template <class Law>
 law::ContactStiffness stiffness_of(const FacetSet<Law>& bonds, std::size_t k) {
-    const double at_i = bonds.pressure_per_growth[bonds.i[k] - bonds.incidence.first];
-    const double at_j = bonds.pressure_per_growth[bonds.j[k] - bonds.incidence.first];
+    const double at_i = bonds.pressure_per_growth[bonds.i[k] - bonds.slots.first];
+    const double at_j = bonds.pressure_per_growth[bonds.j[k] - bonds.slots.first];
     const law::FacetVector<double>& g_i = bonds.growth_i[k];
     const law::FacetVector<double>& g_j = bonds.growth_j[k];
     return {bonds.springs[k].nn + at_i * g_i.normal * g_i.normal + at_j * g_j.normal * g_j.normal,

@@ -15,15 +15,6 @@
 
 namespace demlua::state {
 
-/// Which pair forces act on each of a run of elements: for element `first + k` the entries `start[k]` to `start[k+1]`
-/// of `end`, each naming a row of pairs twice over, plus one if the element is the pair's j. Sums are taken in this order
-/// and no other, so they come out the same whoever takes them.
-struct Incidence {
-    std::size_t first = 0;
-    Column<Index> start;
-    Column<Index> end;
-};
-
 /// Dashpots beside the springs; empty columns when the bonds have none.
 struct BondDashpots {
     Column<double> Cn, Ct;        ///< N s/m
@@ -64,7 +55,6 @@ struct BondTable {
     double fracture_work = 0.0;    ///< stored in bonds when they broke, J
     std::size_t broken_count = 0;
 
-    Incidence incidence;
     PairSlots slots;
 
     [[nodiscard]] std::size_t size() const { return i.size(); }

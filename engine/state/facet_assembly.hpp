@@ -15,7 +15,7 @@ namespace demlua::state {
 template <class Law>
 law::ContactStiffness row_stiffness(const FacetSet<Law>& bonds, const std::vector<double>& grown, std::size_t k) {
     const auto coupled = [&](Index element, double own) {
-        const std::size_t e = element - bonds.incidence.first;
+        const std::size_t e = element - bonds.slots.first;
         return bonds.pressure_per_growth[e] * std::abs(own) * grown[e];
     };
     const law::FacetVector<double>& g_i = bonds.growth_i[k];
@@ -29,9 +29,9 @@ template <class Law>
 void find_yielding_stiffness(FacetSet<Law>& bonds) {
     std::vector<double> grown(bonds.pressure_per_growth.size());
     for (std::size_t k = 0; k < bonds.size(); ++k) {
-        grown[bonds.i[k] - bonds.incidence.first] +=
+        grown[bonds.i[k] - bonds.slots.first] +=
             std::abs(bonds.growth_i[k].normal) + std::abs(bonds.growth_i[k].shear);
-        grown[bonds.j[k] - bonds.incidence.first] +=
+        grown[bonds.j[k] - bonds.slots.first] +=
             std::abs(bonds.growth_j[k].normal) + std::abs(bonds.growth_j[k].shear);
     }
     for (std::size_t k = 0; k < bonds.size(); ++k) bonds.yielding.push_back(row_stiffness(bonds, grown, k));

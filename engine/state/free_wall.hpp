@@ -18,7 +18,7 @@ namespace demlua::state {
 template <class Law>
 void free_wall(FacetSet<Law>& bonds, std::size_t k) {
     const auto soften = [&](Index element, double share) {
-        double& per_growth = bonds.pressure_per_growth[element - bonds.incidence.first];
+        double& per_growth = bonds.pressure_per_growth[element - bonds.slots.first];
         per_growth /= 1.0 + per_growth * bonds.area[k] * share * bonds.length[k] / bonds.twice_shear;
     };
     soften(bonds.i[k], bonds.share_i[k]);

@@ -30,9 +30,9 @@ MaterialFacts facts_of(const model::Material& material, const model::Scene& scen
 
 PairRule pair_rule(const MaterialFacts& a, const MaterialFacts& b) {
     PairRule rule;
-    rule.params.Kn = law::in_series(a.stiffness.normal, b.stiffness.normal);
-    rule.params.Kt = law::in_series(a.stiffness.shear, b.stiffness.shear);
-    rule.params.mu = std::min(a.friction, b.friction);
+    rule.Kn = law::in_series(a.stiffness.normal, b.stiffness.normal);
+    rule.Kt = law::in_series(a.stiffness.shear, b.stiffness.shear);
+    rule.mu = std::min(a.friction, b.friction);
     rule.rolling_friction = std::min(a.rolling_friction, b.rolling_friction);
     rule.damping_fraction = 0.5 * (a.damping_fraction + b.damping_fraction);
     return rule;
@@ -40,11 +40,12 @@ PairRule pair_rule(const MaterialFacts& a, const MaterialFacts& b) {
 
 void apply(const model::ContactRule& said, Contacts& contacts) {
     for (const auto& [a, b] : {std::pair{said.first, said.second}, std::pair{said.second, said.first}}) {
-        PairRule& rule = contacts.rules[a * contacts.materials + b];
-        if (said.friction) rule.params.mu = *said.friction;
+        PairRule rule = contacts.rules[a * contacts.materials + b];
+        if (said.friction) rule.mu = *said.friction;
         if (said.rolling_friction) rule.rolling_friction = *said.rolling_friction;
         if (said.contact_damping) rule.damping_fraction = *said.contact_damping;
         if (said.restitution) rule.damping_fraction = law::damping_fraction(*said.restitution);
+        contacts.rules.store(a * contacts.materials + b, rule);
     }
 }
 
@@ -57,7 +58,9 @@ void lay_out_materials(const model::Scene& scene, State& state) {
         for (const MaterialFacts& b : state.materials) state.contacts.rules.push_back(pair_rule(a, b));
     }
     for (const model::ContactRule& said : scene.contact_rules) apply(said, state.contacts);
-    for (const PairRule& rule : state.contacts.rules) state.contacts.rolls |= rule.rolling_friction > 0.0;
+    for (const double friction : state.contacts.rules.column<&PairRule::rolling_friction>()) {
+        state.contacts.rolls |= friction > 0.0;
+    }
 }
 
 } // namespace demlua::state

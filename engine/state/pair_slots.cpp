@@ -5,7 +5,8 @@
 
 namespace demlua::state {
 
-PairSlots slots_of(const Column<Index>& i, const Column<Index>& j, std::size_t first, std::size_t count) {
+PairSlots slots_of(const Column<Index>& i, const Column<Index>& j, std::size_t first, std::size_t count,
+                   std::size_t spare) {
     constexpr std::size_t block = PairSlots::block;
     const std::size_t blocks = (count + block - 1) / block;
     const std::array<const Column<Index>*, 2> ends{&i, &j};
@@ -13,6 +14,7 @@ PairSlots slots_of(const Column<Index>& i, const Column<Index>& j, std::size_t f
     PairSlots slots;
     slots.first = first;
     slots.elements = count;
+    slots.none = static_cast<Index>(i.size() + spare);
     slots.start.assign(2 * blocks + 1, 0);
     std::array<Column<Index>, 2> taken{Column<Index>(count, 0), Column<Index>(count, 0)};
     for (std::size_t end = 0; end < 2; ++end) {
@@ -24,7 +26,7 @@ PairSlots slots_of(const Column<Index>& i, const Column<Index>& j, std::size_t f
     }
     for (std::size_t k = 1; k < slots.start.size(); ++k) slots.start[k] += slots.start[k - 1];
 
-    slots.row.assign(block * slots.start.back(), static_cast<Index>(i.size()));
+    slots.row.assign(block * slots.start.back(), slots.none);
     for (std::size_t end = 0; end < 2; ++end) {
         for (std::size_t k = 0; k < i.size(); ++k) {
             const std::size_t e = (*ends[end])[k] - first;

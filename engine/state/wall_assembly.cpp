@@ -113,9 +113,8 @@ Wall wall_of(const model::Wall& said, const State& state) {
     wall.closed = wall.path.size() < said.path.size();
     wall.centre = said.centre.value_or(middle_of(box_of(wall.path)));
     for (const MaterialFacts& facts : state.materials) {
-        wall.rules.push_back({{facts.stiffness.normal, facts.stiffness.shear, std::min(facts.friction, said.friction)},
-                              facts.damping_fraction,
-                              facts.rolling_friction});
+        wall.rules.push_back({facts.stiffness.normal, facts.stiffness.shear, std::min(facts.friction, said.friction),
+                              facts.damping_fraction, facts.rolling_friction});
     }
     wall.seam = !wall.closed && goes_on(wall.path, state.period);
     return wall;
@@ -132,7 +131,7 @@ Wall outline_of(const model::Outline& said, const model::Scene& scene, const Sta
     outline.centre = figure.centre;
     for (std::size_t row = 0; row < state.materials.size(); ++row) {
         outline.rules.push_back(state.contacts.rules[row * state.contacts.materials + said.material]);
-        double& friction = outline.rules.back().params.mu;
+        double& friction = outline.rules.back().mu;
         friction = std::min(friction, said.friction);
     }
     outline.velocity = said.velocity;

@@ -84,16 +84,14 @@ inline void add_ends(ElementForces& forces, const FacetEnds& ends, law::FacetVec
 /// Calls `of(bond, growth of this cell with its q)` for every bond of cell `e` that holds.
 template <class Law, class Of>
 void for_facets_of(const state::FacetSet<Law>& bonds, std::size_t e, const Of& of) {
-    const state::Incidence& incidence = bonds.incidence;
-    for (Index entry = incidence.start[e]; entry < incidence.start[e + 1]; ++entry) {
-        const Index end = incidence.end[entry];
-        if (!bonds.is_broken(end / 2)) of(end / 2, (end & 1U) != 0 ? bonds.growth_j[end / 2] : bonds.growth_i[end / 2]);
-    }
+    state::for_each_pair_of(bonds.slots, bonds.slots.first + e, [&](std::size_t k, bool is_j) {
+        if (!bonds.is_broken(k)) of(k, is_j ? bonds.growth_j[k] : bonds.growth_i[k]);
+    });
 }
 
 template <class Law>
 std::array<std::size_t, 2> cells_of(const state::FacetSet<Law>& bonds, std::size_t k) {
-    return {bonds.i[k] - bonds.incidence.first, bonds.j[k] - bonds.incidence.first};
+    return {bonds.i[k] - bonds.slots.first, bonds.j[k] - bonds.slots.first};
 }
 
 template <class Law>

@@ -62,8 +62,8 @@ void settle_broken(state::State& state, Bonds& bonds, const std::vector<Index>& 
     if constexpr (Bonds::law::breaks) {
         const state::Elements& elements = state.elements;
         const std::size_t material = state.bodies[bonds.body].material;
-        const law::Coulomb::Params& contact =
-            state.contacts.rules[material * state.contacts.materials + material].params;
+        const law::Coulomb::Params contact =
+            state.contacts.rules[material * state.contacts.materials + material].params();
         for (const Index k : breaking) {
             const std::size_t i = bonds.i[k];
             const std::size_t j = bonds.j[k];

@@ -1,86 +1,69 @@
 #include "engine/step/contact_forces.hpp"
 
-#include "engine/base/lanes.hpp"
+#include "engine/step/pair_sums.hpp"
+
+#include <cstddef>
 
 namespace demlua::step {
 
 namespace {
 
-void release(state::Contacts& contacts, std::size_t c) {
-    contacts.fx[c] = contacts.fy[c] = contacts.moment_i[c] = contacts.moment_j[c] = 0.0;
+template <class History>
+auto begins_of(state::HistoryColumns<History>& history) {
+    std::array<double*, History::members.size()> begins{};
+    for (std::size_t m = 0; m < begins.size(); ++m) begins[m] = history.columns[m].data();
+    return begins;
 }
 
-bool at_rest(const state::ContactHistory& history) { return history.force == 0.0 && history.damping == 0.0; }
-
-/// The couple against rolling; zero the instant the pair parts.
-double rolling_moment(state::Contacts& contacts, const state::Elements& elements, std::size_t c, double pressure,
-                      double dt) {
-    state::RollingContacts& rolling = contacts.rolling;
-    law::Rolling::History<double> history = rolling.history.at(c);
-    const double cap = contacts.rules[contacts.rule[c]].rolling_friction * rolling.radius[c] * pressure;
-    const double moment = law::Rolling::respond<double>(
-        {rolling.stiffness[c], rolling.dashpot[c], cap, elements.spin[contacts.j[c]] - elements.spin[contacts.i[c]]},
-        dt, history);
-    rolling.history.store(c, history);
-    return moment;
+RuleRows rows_of(const StructColumns<state::PairRule>& rules) {
+    using state::PairRule;
+    return {rules.column<&PairRule::Kn>().data(), rules.column<&PairRule::Kt>().data(),
+            rules.column<&PairRule::mu>().data(), rules.column<&PairRule::rolling_friction>().data()};
 }
 
-template <bool rolls, class Shortest>
-void forces_of(state::Contacts& contacts, const state::Elements& elements, const Shortest& shortest, double dt,
-               Share part) {
-    for (std::size_t c = part.begin; c < part.end; ++c) {
+/// Bonds that broke since the last search: few, and in no order of elements.
+void add_late(const state::Contacts& contacts, state::Elements& elements) {
+    for (std::size_t c = contacts.in_slots; c < contacts.size(); ++c) {
         const std::size_t i = contacts.i[c];
         const std::size_t j = contacts.j[c];
-        const Vec2 span = shortest(elements.position(j) - elements.position(i));
-        const double d = norm(span);
-        const double overlap = contacts.reference[c] - d;
-        contacts.overlap[c] = overlap;
-        state::ContactHistory history = contacts.history.at(c);
-        if (overlap <= 0.0 && at_rest(history)) {
-            release(contacts, c);
-            if constexpr (rolls) rolling_moment(contacts, elements, c, 0.0, dt);
-            continue;
-        }
-        const Vec2 normal = span / d;
-        const Vec2 tangent = turned_left(normal);
-        const Vec2 v = elements.velocity(j) - elements.velocity(i);
-        const double a_i = d * elements.radius[i] / (elements.radius[i] + elements.radius[j]);
-        const double a_j = d - a_i;
-        const law::Coulomb::Input<double> in{overlap, -dot(v, normal),
-                                             dot(v, tangent) - a_i * elements.spin[i] - a_j * elements.spin[j],
-                                             contacts.Cn[c], contacts.Ct[c]};
-        const auto force = law::Coulomb::respond(contacts.rules[contacts.rule[c]].params, in, dt, history);
-        contacts.history.store(c, history);
-        const Vec2 f = force.shear * tangent - force.pressure * normal;
-        contacts.fx[c] = f.x;
-        contacts.fy[c] = f.y;
-        contacts.moment_i[c] = force.shear * a_i;
-        contacts.moment_j[c] = force.shear * a_j;
-        if constexpr (rolls) {
-            const double couple = rolling_moment(contacts, elements, c, force.pressure, dt);
-            contacts.moment_i[c] += couple;
-            contacts.moment_j[c] -= couple;
-        }
+        elements.fx[i] += contacts.fx[c];
+        elements.fy[i] += contacts.fy[c];
+        elements.moment[i] += contacts.moment_i[c];
+        elements.fx[j] -= contacts.fx[c];
+        elements.fy[j] -= contacts.fy[c];
+        elements.moment[j] += contacts.moment_j[c];
     }
-}
-
-template <class Shortest>
-void forces_along(state::Contacts& contacts, const state::Elements& elements, const Shortest& shortest, double dt,
-                  Share part) {
-    contacts.rolls ? forces_of<true>(contacts, elements, shortest, dt, part)
-                   : forces_of<false>(contacts, elements, shortest, dt, part);
 }
 
 } // namespace
 
-void contact_forces(state::Contacts& contacts, const state::Elements& elements, Period period, double dt, Share part) {
-    if (period.repeats()) {
-        forces_along(
-            contacts, elements, [&](Vec2 span) { return period.shortest(span); }, dt, part);
-    } else {
-        forces_along(
-            contacts, elements, [](Vec2 span) { return span; }, dt, part);
-    }
+ContactRows rows_of(state::Contacts& contacts) {
+    state::RollingContacts& rolling = contacts.rolling;
+    return {
+        contacts.i.data(),           contacts.j.data(),        contacts.materials > 1 ? contacts.rule.data() : nullptr,
+        contacts.reference.data(),   contacts.share_i.data(),  contacts.Cn.data(),
+        contacts.Ct.data(),          contacts.overlap.data(),  contacts.fx.data(),
+        contacts.fy.data(),          contacts.moment_i.data(), contacts.moment_j.data(),
+        begins_of(contacts.history), rows_of(contacts.rules),  rolling.stiffness.data(),
+        rolling.dashpot.data(),      rolling.radius.data(),    begins_of(rolling.history)};
+}
+
+PlaceRows places_of(const state::Elements& elements) {
+    return {elements.reference_x.data(), elements.reference_y.data(), rows_of(elements)};
+}
+
+void contact_forces(state::State& state, const Kernels& kernels, Team& team) {
+    state::Contacts& contacts = state.contacts;
+    const ContactRows rows = rows_of(contacts);
+    const PlaceRows elements = places_of(state.elements);
+    const std::size_t kind = (contacts.rolls ? 1U : 0U) + (state.period.repeats() ? 2U : 0U);
+    team.share(contacts.size(), [&](Share part) {
+        run_rows(kernels, part, [&](const Kernels& width, std::size_t begin, std::size_t end) {
+            width.contact_forces[kind](rows, elements, state.period, state.dt, begin, end);
+        });
+    });
+    add_pair_forces(contacts, state.elements, kernels, team);
+    add_late(contacts, state.elements);
 }
 
 } // namespace demlua::step

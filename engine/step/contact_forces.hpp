@@ -3,11 +3,15 @@
 
 #include "engine/base/team.hpp"
 #include "engine/state/state.hpp"
+#include "engine/step/kernels.hpp"
 
 namespace demlua::step {
 
-/// Fills fx .. moment_j of the contacts of one share. Lever arms are the distance shared in proportion to the radii, so
-/// that a contact exchanges linear and angular momentum exactly.
-void contact_forces(state::Contacts& contacts, const state::Elements& elements, Period period, double dt, Share part);
+/// Where the columns of contacts, and of the elements they ask for, begin.
+ContactRows rows_of(state::Contacts& contacts);
+PlaceRows places_of(const state::Elements& elements);
+
+/// Fills overlap .. moment_j of all contacts and adds their forces to the elements.
+void contact_forces(state::State& state, const Kernels& kernels, Team& team);
 
 } // namespace demlua::step

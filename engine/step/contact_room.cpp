@@ -34,10 +34,10 @@ HardestContact hardest_contact(const state::State& state, std::size_t element, b
     const double m = state.pushed_mass(element);
     for (std::size_t b = 0; b < state.bodies.size(); ++b) {
         if (b == own && !with_own_body) continue;
-        const state::PairRule& rule =
+        const state::PairRule rule =
             state.contacts.rules[material * state.contacts.materials + state.bodies[b].material];
         const double partner = heaviest.empty() ? (b == own ? m : infinite) : heaviest[b];
-        meet(rule.params, rule.damping_fraction, 1.0 / (1.0 / m + 1.0 / partner));
+        meet(rule.params(), rule.damping_fraction, 1.0 / (1.0 / m + 1.0 / partner));
     }
     const state::MaterialFacts& facts = state.materials[material];
     if (!state.walls.empty()) meet({facts.stiffness.normal, facts.stiffness.shear, 0.0}, facts.damping_fraction, m);

@@ -23,10 +23,11 @@ void sum_pairs(const PairSums& sums, std::size_t begin, std::size_t end) {
     using T = typename Lane::Number;
     constexpr std::size_t block = state::PairSlots::block;
     for (std::size_t e = begin; e < end; e += Lane::width) {
+        const Index* start = sums.start + 2 * (e / block);
+        if (start[0] == start[2]) continue;
         T fx = Lane::load(sums.sum_x + e);
         T fy = Lane::load(sums.sum_y + e);
         T moment = Lane::load(sums.sum_moment + e);
-        const Index* start = sums.start + 2 * (e / block);
         for (Index slot = start[0]; slot < start[1]; ++slot) {
             const typename Lane::Picked pair(sums.row + block * slot + e % block);
             fx += pair.of(sums.fx);

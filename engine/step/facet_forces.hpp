@@ -33,8 +33,8 @@ DEMLUA_INLINE law::FacetVector<double> strained(const state::FacetSet<Law>& bond
 template <class Law>
 DEMLUA_INLINE law::FacetVector<double> facet_force(const state::FacetSet<Law>& bonds, const state::Elements& elements,
                                                    std::size_t k) {
-    const double p_i = bonds.pressure[bonds.i[k] - bonds.incidence.first];
-    const double p_j = bonds.pressure[bonds.j[k] - bonds.incidence.first];
+    const double p_i = bonds.pressure[bonds.i[k] - bonds.slots.first];
+    const double p_j = bonds.pressure[bonds.j[k] - bonds.slots.first];
     return bonds.springs[k] * strained(bonds, elements, k) + p_i * bonds.growth_i[k] + p_j * bonds.growth_j[k];
 }
 
@@ -229,21 +229,20 @@ void facet_forces(state::FacetSet<Law>& bonds, const state::Elements& elements, 
 template <class Law>
 void refresh_around(state::FacetSet<Law>& bonds, const state::Elements& elements,
                     const std::vector<Index>& bonds_changed) {
-    const state::Incidence& incidence = bonds.incidence;
+    const std::size_t first = bonds.slots.first;
     std::vector<std::size_t> cells;
     for (const Index k : bonds_changed) {
-        cells.push_back(bonds.i[k] - incidence.first);
-        cells.push_back(bonds.j[k] - incidence.first);
+        cells.push_back(bonds.i[k] - first);
+        cells.push_back(bonds.j[k] - first);
     }
     std::sort(cells.begin(), cells.end());
     cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
     const Kernels& one_by_one = kernels_of(1);
     for (const std::size_t e : cells) press_cells(bonds, one_by_one, {e, e + 1, 0});
     for (const std::size_t e : cells) {
-        for (Index entry = incidence.start[e]; entry < incidence.start[e + 1]; ++entry) {
-            const std::size_t k = incidence.end[entry] / 2;
+        state::for_each_pair_of(bonds.slots, first + e, [&](std::size_t k, bool /*is_j*/) {
             put_forces(bonds, elements, one_by_one, {k, k + 1, 0});
-        }
+        });
     }
 }
 
@@ -285,18 +284,14 @@ std::vector<Index> settle_yielding(state::FacetSet<Law>& bonds, const state::Ele
 template <class Law>
 double growth_rate_without(const state::FacetSet<Law>& bonds, const state::Elements& elements, Index element,
                            std::size_t k) {
-    const state::Incidence& incidence = bonds.incidence;
-    const std::size_t e = element - incidence.first;
     double rate = 0.0;
-    for (Index entry = incidence.start[e]; entry < incidence.start[e + 1]; ++entry) {
-        const std::size_t m = incidence.end[entry] / 2;
-        if (m == k || bonds.is_broken(m)) continue;
+    state::for_each_pair_of(bonds.slots, element, [&](std::size_t m, bool is_j) {
+        if (m == k || bonds.is_broken(m)) return;
         const law::BondForce<double> speed = rates_of(bonds, elements, m, bonds.motion[m]);
         const double turning = elements.spin[bonds.j[m]] - elements.spin[bonds.i[m]];
-        const bool is_j = (incidence.end[entry] & 1U) != 0;
         rate += dot(is_j ? bonds.growth_j[m] : bonds.growth_i[m],
                     law::FacetVector<double>{speed.normal, speed.shear, turning});
-    }
+    });
     return rate;
 }
 
@@ -310,7 +305,7 @@ double let_go(state::FacetSet<Law>& bonds, const state::Elements& elements, std:
     std::array<double, 2> pressure{};
     double lost = stored_energy(bonds, elements, k);
     for (std::size_t side = 0; side < 2; ++side) {
-        const std::size_t e = sides[side] - bonds.incidence.first;
+        const std::size_t e = sides[side] - bonds.slots.first;
         stiff[side] = bonds.pressure_per_growth[e];
         pressure[side] = bonds.pressure[e];
     }
@@ -318,7 +313,7 @@ double let_go(state::FacetSet<Law>& bonds, const state::Elements& elements, std:
     state::free_wall(bonds, k);
     for (std::size_t side = 0; side < 2; ++side) {
         if (stiff[side] == 0.0) continue;
-        const std::size_t e = sides[side] - bonds.incidence.first;
+        const std::size_t e = sides[side] - bonds.slots.first;
         const double now = bonds.pressure_per_growth[e];
         bonds.pressure[e] = now * (pressure[side] / stiff[side] - grown[side]);
         lost += cell_energy(pressure[side], stiff[side]) - cell_energy(bonds.pressure[e], now);

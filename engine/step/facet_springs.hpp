@@ -51,7 +51,7 @@ inline void join(SpringEnd& sum, const SpringEnd& end) {
 
 template <class Law>
 void add_stiffness(const state::FacetSet<Law>& bonds, const state::Elements& /*elements*/, Springs& springs) {
-    const std::size_t first = bonds.incidence.first;
+    const std::size_t first = bonds.slots.first;
     std::vector<std::vector<SpringEnd>> cells(bonds.pressure.size());
     for (std::size_t e = 0; e < cells.size(); ++e) cells[e].push_back({first + e});
     for (std::size_t k = 0; k < bonds.size(); ++k) {

@@ -35,6 +35,8 @@ struct KernelTable {
                 press_cells<Lane>,
                 facet_dashpots<Lane>,
                 {facet_forces<Lane, false>, facet_forces<Lane, true>},
+                {contact_forces<Lane, false, false>, contact_forces<Lane, true, false>,
+                 contact_forces<Lane, false, true>, contact_forces<Lane, true, true>},
                 {move_rows<Lane, false, false>, move_rows<Lane, true, false>, move_rows<Lane, false, true>,
                  move_rows<Lane, true, true>},
                 all(static_cast<decltype(Kernels::bonds)*>(nullptr))};

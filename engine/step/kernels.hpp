@@ -4,6 +4,7 @@
 #include "engine/base/team.hpp"
 #include "engine/law/laws.hpp"
 #include "engine/step/bond_rows.hpp"
+#include "engine/step/contact_rows.hpp"
 #include "engine/step/element_rows.hpp"
 #include "engine/step/facet_rows.hpp"
 
@@ -33,8 +34,9 @@ struct Kernels {
     MeasureKernel measure_facets;
     PressureKernel press_cells;
     DashpotKernel facet_dashpots;
-    std::array<FacetKernel, 2> facet_forces; ///< second with dashpots
-    std::array<MotionKernel, 4> move;        ///< + 1 with mass damping, + 2 with gravity
+    std::array<FacetKernel, 2> facet_forces;     ///< second with dashpots
+    std::array<ContactKernel, 4> contact_forces; ///< + 1 with rolling, + 2 where the plane repeats
+    std::array<MotionKernel, 4> move;            ///< + 1 with mass damping, + 2 with gravity
     law::ForEachBondLaw<PairKernels, FacetKernels, std::tuple> bonds;
 };
 

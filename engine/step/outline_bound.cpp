@@ -36,7 +36,7 @@ Tightest bound_of_outlines(const state::State& state) {
         const double mass = 1.0 / (1.0 / heaviest + 1.0 / outline.matter->mass);
         for (const state::Body& body : state.bodies) {
             const state::PairRule& rule = outline.rules[body.material];
-            const double k = std::max(rule.params.Kn, rule.params.Kt);
+            const double k = std::max(rule.Kn, rule.Kt);
             K = std::max(K, k);
             C = std::max(C, 2.0 * rule.damping_fraction * std::sqrt(k * mass));
         }

@@ -30,7 +30,7 @@ std::vector<std::unique_ptr<FailingBonds>> failing_sets(state::State& state) {
                 const std::size_t material = state.bodies[bonds.body].material;
                 sets.push_back(std::make_unique<FailingBondsOf<std::decay_t<decltype(bonds)>>>(
                     bonds, state.elements,
-                    state.contacts.rules[material * state.contacts.materials + material].params));
+                    state.contacts.rules[material * state.contacts.materials + material].params()));
             },
             any);
     }

@@ -67,7 +67,7 @@ Eigen::VectorXd settled(const state::State& state, const state::Body& body, cons
 template <class Law>
 Stress mean_stress(const state::State& state, const state::BondSet<Law>& bonds, const Middle& middle,
                    const Eigen::VectorXd& u) {
-    const std::size_t first = bonds.incidence.first;
+    const std::size_t first = bonds.slots.first;
     Stress virial = Stress::Zero();
     for (std::size_t k = 0; k < bonds.size(); ++k) {
         const std::size_t i = bonds.i[k] - first;

@@ -1,6 +1,6 @@
 #include "engine/step/search.hpp"
 
-#include "engine/state/incidence.hpp"
+#include "engine/state/pair_slots.hpp"
 #include "engine/step/contact_past.hpp"
 #include "engine/step/wall_search.hpp"
 
@@ -28,15 +28,13 @@ BondedPair look_up(const state::State& state, const Search& search, std::size_t 
     if (set == state.bond_sets.size()) return {};
     return std::visit(
         [&](const auto& bonds) -> BondedPair {
-            const state::Incidence& incidence = bonds.incidence;
-            const std::size_t e = i - incidence.first;
-            for (Index entry = incidence.start[e]; entry < incidence.start[e + 1]; ++entry) {
-                const std::size_t bond = incidence.end[entry] / 2;
-                if (bonds.i[bond] + bonds.j[bond] != i + j) continue;
-                if (!bonds.is_broken(bond)) return {true, 0.0};
-                return {false, bonds.contact_length[bond]};
-            }
-            return {};
+            BondedPair pair;
+            state::for_each_pair_of(bonds.slots, i, [&](std::size_t bond, bool /*is_j*/) {
+                if (bonds.i[bond] + bonds.j[bond] != i + j) return;
+                pair.intact = !bonds.is_broken(bond);
+                if (!pair.intact) pair.reference = bonds.contact_length[bond];
+            });
+            return pair;
         },
         state.bond_sets[set]);
 }
@@ -91,32 +89,35 @@ void append_row(state::State& state, const Candidate& pair, const ContactPast& p
     const std::size_t a = state.bodies[elements.body[pair.i]].material;
     const std::size_t b = state.bodies[elements.body[pair.j]].material;
     const std::size_t row = a * contacts.materials + b;
-    const state::PairRule& rule = contacts.rules[row];
+    const state::PairRule rule = contacts.rules[row];
     const double m = 1.0 / (1.0 / state.pushed_mass(pair.i) + 1.0 / state.pushed_mass(pair.j));
     contacts.i.push_back(pair.i);
     contacts.j.push_back(pair.j);
     contacts.rule.push_back(static_cast<Index>(row));
     contacts.reference.push_back(pair.reference);
-    contacts.Cn.push_back(2.0 * rule.damping_fraction * std::sqrt(rule.params.Kn * m));
-    contacts.Ct.push_back(2.0 * rule.damping_fraction * std::sqrt(rule.params.Kt * m));
+    contacts.share_i.push_back(elements.radius[pair.i] / (elements.radius[pair.i] + elements.radius[pair.j]));
+    contacts.Cn.push_back(2.0 * rule.damping_fraction * std::sqrt(rule.Kn * m));
+    contacts.Ct.push_back(2.0 * rule.damping_fraction * std::sqrt(rule.Kt * m));
     contacts.history.resize(contacts.size());
     contacts.history.store(contacts.size() - 1, past.contact);
     if (!contacts.rolls) return;
     const double r = 1.0 / (1.0 / elements.radius[pair.i] + 1.0 / elements.radius[pair.j]);
     const double inertia = 1.0 / (elements.inverse_inertia[pair.i] + elements.inverse_inertia[pair.j]);
-    contacts.rolling.push_back(r, rule.params.Kt, rule.damping_fraction, inertia, past.rolling);
+    contacts.rolling.push_back(r, rule.Kt, rule.damping_fraction, inertia, past.rolling);
 }
 
-void resize_forces(state::Contacts& contacts) {
-    for (Column<double>* column :
-         {&contacts.overlap, &contacts.fx, &contacts.fy, &contacts.moment_i, &contacts.moment_j}) {
-        column->resize(contacts.size());
-    }
-}
+/// Room for contacts that broken bonds leave before the next search, so that slots are not made anew for each of them.
+constexpr std::size_t spare_rows = 256;
 
 void finish(state::State& state) {
-    resize_forces(state.contacts);
-    state.contacts.incidence = state::incidence_of(state.contacts.i, state.contacts.j, 0, state.elements.size());
+    state::Contacts& contacts = state.contacts;
+    contacts.overlap.resize(contacts.size());
+    if (contacts.in_slots > 0 && contacts.size() < contacts.slots.none) return;
+    contacts.slots = state::slots_of(contacts.i, contacts.j, 0, state.elements.size(), spare_rows);
+    contacts.in_slots = contacts.size();
+    for (Column<double>* column : {&contacts.fx, &contacts.fy, &contacts.moment_i, &contacts.moment_j}) {
+        column->resize(contacts.slots.none + 1);
+    }
 }
 
 state::Contacts emptied(const state::Contacts& old) {
@@ -136,7 +137,7 @@ void book(state::State& state, const state::Contacts& old, std::size_t row) {
     book_spent(state.contacts.spent, past);
     if (state.wear.present()) state.wear.book(state.elements, i, j, past.contact.friction);
     if (state.is_gone(i) || state.is_gone(j)) {
-        state.booked.removed += stored_in(old, old.rules[old.rule[row]].params, row);
+        state.booked.removed += stored_in(old, old.rules[old.rule[row]].params(), row);
     }
 }
 

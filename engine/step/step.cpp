@@ -59,7 +59,7 @@ void compute_bonds(state::State& state, Stepper& stepper, state::BondSet<Law>& b
         settle_broken(state, bonds, failing_rows(bonds), contacts);
         append_contacts(state, stepper.search, contacts);
     }
-    add_bond_forces(bonds, state.elements, *stepper.kernels, stepper.team);
+    add_pair_forces(bonds, state.elements, *stepper.kernels, stepper.team);
 }
 
 template <class Law>
@@ -86,14 +86,7 @@ void compute_bonds(state::State& state, Stepper& stepper, state::FacetSet<Law>& 
     if constexpr (Law::wakes) {
         stepper.team.share(bonds.size(), [&](Share part) { wake_facets(bonds, state.elements, kernels, part); });
     }
-    add_bond_forces(bonds, state.elements, *stepper.kernels, stepper.team);
-}
-
-void compute_contacts(state::State& state, Stepper& stepper) {
-    stepper.team.share(state.contacts.size(), [&](Share part) {
-        contact_forces(state.contacts, state.elements, state.period, state.dt, part);
-    });
-    add_pair_forces(state.contacts, state.elements, stepper.team);
+    add_pair_forces(bonds, state.elements, *stepper.kernels, stepper.team);
 }
 
 void check_drift(const state::State& state, const Drift& drift, double greatest_move) {
@@ -137,7 +130,9 @@ void add_forces(state::State& state, Stepper& stepper) {
         clock.time(step, Stage::bonds,
                    [&] { std::visit([&](auto& bonds) { compute_bonds(state, stepper, bonds); }, any); });
     }
-    if (state.contacts.size() > 0) clock.time(step, Stage::contacts, [&] { compute_contacts(state, stepper); });
+    if (state.contacts.size() > 0) {
+        clock.time(step, Stage::contacts, [&] { contact_forces(state, *stepper.kernels, stepper.team); });
+    }
     if (!state.walls.empty()) clock.time(step, Stage::walls, [&] { wall_forces(state, stepper.team); });
     if (!state.loads.empty()) clock.time(step, Stage::loads, [&] { add_loads(state); });
     if (!state.rigid_bodies.empty()) clock.time(step, Stage::rigid, [&] { gather_rigid(state, stepper.team); });

@@ -12,20 +12,16 @@ namespace demlua::step {
 /// Of the cell of one element, times the thickness, N/m; dashpots and contacts left out.
 template <class Law>
 PlaneStress cell_stress(const state::FacetSet<Law>& bonds, const state::Elements& elements, Index element) {
-    const state::Incidence& incidence = bonds.incidence;
-    const std::size_t e = element - incidence.first;
     PlaneStress sum;
-    for (Index entry = incidence.start[e]; entry < incidence.start[e + 1]; ++entry) {
-        const std::size_t k = incidence.end[entry] / 2;
-        if (bonds.is_broken(k)) continue;
+    state::for_each_pair_of(bonds.slots, element, [&](std::size_t k, bool is_j) {
+        if (bonds.is_broken(k)) return;
         const law::BondMotion<double>& motion = bonds.motion[k];
         const Vec2 n = motion.normal;
         const Vec2 f =
             bonds.normal[k] * n + (bonds.shear[k] * bonds.length[k] * motion.inverse_length) * turned_left(n);
         const FacetArms arms = facet_arms(bonds, k, n, 1.0 / motion.inverse_length);
-        const bool is_j = (incidence.end[entry] & 1U) != 0;
         sum.add(is_j ? -f : f, is_j ? arms.of_j : arms.of_i);
-    }
+    });
     return (1.0 / elements.cell_area[element]) * sum;
 }
 

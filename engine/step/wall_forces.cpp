@@ -58,7 +58,7 @@ bool press(state::State& state, std::size_t c) {
                                          dot(v, tangent) - gap.distance * elements.spin[e], contacts.Cn[c],
                                          contacts.Ct[c]};
     const auto force =
-        law::Coulomb::respond(state::wall_rule(state, contacts.wall[c], e).params, in, state.dt, history);
+        law::Coulomb::respond(state::wall_rule(state, contacts.wall[c], e).params(), in, state.dt, history);
     contacts.history.store(c, history);
     const Vec2 f = force.pressure * gap.normal - force.shear * tangent;
     contacts.fx[c] = f.x;
@@ -89,7 +89,7 @@ void add_up(state::State& state) {
         elements.moment[e] += contacts.moment[c];
         wall.force -= Vec2{contacts.fx[c], contacts.fy[c]};
         wall.moment += contacts.turning[c];
-        if (contacts.overlap[c] > 0.0) wall.stiffness += state::wall_rule(state, contacts.wall[c], e).params.Kn;
+        if (contacts.overlap[c] > 0.0) wall.stiffness += state::wall_rule(state, contacts.wall[c], e).Kn;
     }
 }
 

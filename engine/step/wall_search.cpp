@@ -41,7 +41,7 @@ void book(state::State& state, const state::WallContacts& old, std::size_t row) 
     book_spent(state.wall_contacts.spent, past);
     if (state.wear.present()) state.wear.past[e] += past.contact.friction;
     if (state.is_gone(e)) {
-        state.booked.removed += stored_in(old, state::wall_rule(state, old.wall[row], e).params, row);
+        state.booked.removed += stored_in(old, state::wall_rule(state, old.wall[row], e).params(), row);
     }
 }
 
@@ -85,12 +85,12 @@ void append_row(state::State& state, const Candidate& row, const ContactPast& pa
     contacts.wall.push_back(row.wall);
     contacts.element.push_back(row.element);
     contacts.part.push_back(row.part);
-    contacts.Cn.push_back(2.0 * rule.damping_fraction * std::sqrt(rule.params.Kn * m));
-    contacts.Ct.push_back(2.0 * rule.damping_fraction * std::sqrt(rule.params.Kt * m));
+    contacts.Cn.push_back(2.0 * rule.damping_fraction * std::sqrt(rule.Kn * m));
+    contacts.Ct.push_back(2.0 * rule.damping_fraction * std::sqrt(rule.Kt * m));
     contacts.history.resize(contacts.size());
     contacts.history.store(contacts.size() - 1, past.contact);
     if (!state.contacts.rolls) return;
-    contacts.rolling.push_back(state.elements.radius[row.element], rule.params.Kt, rule.damping_fraction,
+    contacts.rolling.push_back(state.elements.radius[row.element], rule.Kt, rule.damping_fraction,
                                state.elements.inertia(row.element), past.rolling);
 }
 

@@ -17,9 +17,12 @@ template <class Work>
 void for_each_contact(const state::State& state, std::size_t k, bool inside, const Work& work) {
     const state::Contacts& contacts = state.contacts;
     const Column<Index>& cluster = state.elements.cluster;
-    for (Index entry = contacts.incidence.start[k]; entry < contacts.incidence.start[k + 1]; ++entry) {
-        const std::size_t c = contacts.incidence.end[entry] / 2;
+    const auto visit = [&](std::size_t c) {
         if ((cluster[contacts.i[c]] == cluster[contacts.j[c]]) == inside) work(c);
+    };
+    state::for_each_pair_of(contacts.slots, k, [&](std::size_t c, bool /*is_j*/) { visit(c); });
+    for (std::size_t c = contacts.in_slots; c < contacts.size(); ++c) {
+        if (contacts.i[c] == k || contacts.j[c] == k) visit(c);
     }
 }
 
@@ -43,14 +46,11 @@ template <class Bonds>
 bool mark_bonds(Bonds& bonds, std::size_t k) {
     bool some = false;
     if constexpr (Bonds::law::breaks) {
-        const state::Incidence& incidence = bonds.incidence;
-        const std::size_t e = k - incidence.first;
-        for (Index entry = incidence.start[e]; entry < incidence.start[e + 1]; ++entry) {
-            const std::size_t bond = incidence.end[entry] / 2;
-            if (bonds.is_broken(bond)) continue;
+        state::for_each_pair_of(bonds.slots, k, [&](std::size_t bond, bool /*is_j*/) {
+            if (bonds.is_broken(bond)) return;
             bonds.broken[bond] = state::failing;
             some = true;
-        }
+        });
     }
     return some;
 }

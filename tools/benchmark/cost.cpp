@@ -1,6 +1,7 @@
 #include "tools/benchmark/cost.hpp"
 
 #include "engine/step/bond_rows.hpp"
+#include "engine/step/contact_forces.hpp"
 #include "engine/step/element_rows.hpp"
 #include "engine/step/facet_forces.hpp"
 #include "tools/benchmark/counting_lane.hpp"
@@ -13,18 +14,6 @@ namespace demlua::bench {
 namespace {
 
 constexpr std::size_t most_rows = 16000; // of elements: enough for the count, and quick
-/// Of a contact that touches, from step/contact_forces.cpp with law/coulomb.hpp.
-constexpr std::uint64_t contact_operations = 86;
-constexpr std::uint64_t contact_divisions = 4;
-
-template <class... Columns>
-void read_row(std::size_t row, const Columns&... columns) {
-    (Tally::note_read(columns.data() + row), ...);
-}
-template <class... Columns>
-void write_row(std::size_t row, const Columns&... columns) {
-    (Tally::note_written(columns.data() + row), ...);
-}
 
 /// One loop after the other over the first rows of a state.
 class Counting {
@@ -61,24 +50,11 @@ public:
         count_slots(bonds);
     }
 
-    void count(const state::Contacts& contacts) {
-        const std::size_t pairs = sampled(contacts.size());
-        for (std::size_t c = 0; c < pairs; ++c) {
-            read_row(c, contacts.i, contacts.j, contacts.reference);
-            for (const Column<double>& column : contacts.history.columns) read_row(c, column);
-            for (const std::size_t e : {std::size_t{contacts.i[c]}, std::size_t{contacts.j[c]}}) {
-                read_row(e, elements_.ux, elements_.uy, elements_.reference_x, elements_.reference_y);
-                if (contacts.overlap[c] <= 0.0) continue;
-                read_row(e, elements_.vx, elements_.vy, elements_.spin, elements_.radius);
-            }
-            write_row(c, contacts.overlap, contacts.fx, contacts.fy, contacts.moment_i, contacts.moment_j);
-            if (contacts.overlap[c] <= 0.0) continue;
-            read_row(c, contacts.rule, contacts.Cn, contacts.Ct);
-            for (const Column<double>& column : contacts.history.columns) write_row(c, column);
-            Tally::operations += contact_operations;
-            Tally::divisions += contact_divisions;
-        }
-        if (pairs > 0) count_list(contacts.incidence);
+    void count(state::Contacts& contacts) {
+        const auto run = contacts.rolls ? step::contact_forces<CountingLane, true, false>
+                                        : step::contact_forces<CountingLane, false, false>;
+        run(step::rows_of(contacts), step::places_of(elements_), state_.period, state_.dt, 0, sampled(contacts.size()));
+        if (contacts.size() > 0) count_slots(contacts);
     }
 
     void count_motion() {
@@ -116,16 +92,8 @@ private:
     /// As many rows of pairs as the elements looked at have on the average.
     [[nodiscard]] std::size_t sampled(std::size_t pairs) const { return pairs * rows_ / elements_.size(); }
 
-    void count_list(const state::Incidence& incidence) const {
-        const std::size_t elements = std::min(rows_, incidence.start.size() - 1);
-        for (std::size_t e = 0; e < elements; ++e) read_row(e, incidence.start);
-        for (std::size_t entry = incidence.start[0]; entry < incidence.start[elements]; ++entry) {
-            read_row(entry, incidence.end);
-        }
-    }
-
-    template <class Law>
-    void count_slots(state::BondTable<Law>& bonds) {
+    template <class Pairs>
+    void count_slots(const Pairs& bonds) {
         const state::PairSlots& slots = bonds.slots;
         const step::PairSums sums{bonds.fx.data(),
                                   bonds.fy.data(),

@@ -57,10 +57,10 @@ Json bonds_json(const state::State& state) {
 }
 
 Json contact_json(const state::State& state) {
-    const state::PairRule& rule = state.contacts.rules.front();
-    return {{"Kn", rule.params.Kn},
-            {"Kt", rule.params.Kt},
-            {"friction", rule.params.mu},
+    const state::PairRule rule = state.contacts.rules[0];
+    return {{"Kn", rule.Kn},
+            {"Kt", rule.Kt},
+            {"friction", rule.mu},
             {"damping_fraction", rule.damping_fraction},
             {"wall_Kn", state.materials.front().stiffness.normal},
             {"wall_Kt", state.materials.front().stiffness.shear}};
