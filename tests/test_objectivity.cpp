@@ -90,7 +90,7 @@ Forces forces_after(double angle, Vec2 shift) {
         elements.uy[k] = u.y;
         elements.rotation[k] = angle + random(2) / R;
     }
-    stepper.search.travelled = std::numeric_limits<double>::infinity();
+    step::put_in_doubt(stepper.search);
     step::compute_forces(state, stepper);
     Forces forces;
     for (std::size_t k = 0; k < elements.size(); ++k) {

@@ -70,7 +70,7 @@ Simulation::~Simulation() = default;
 void Simulation::check_period() const {
     if (!state_->period.repeats()) return;
     const double largest = *std::max_element(state_->elements.radius.begin(), state_->elements.radius.end());
-    const double least = 2.0 * (2.0 * largest + inside_->stepper.search.skin);
+    const double least = 2.0 * (2.0 * largest + inside_->stepper.search.greatest_skin);
     if (state_->period.length >= least) return;
     const model::Scene& scene = inside_->scene;
     throw SceneError(Problem{scene.place, "simulation.periodic_x", fmt::format("{} m", state_->period.length),

@@ -7,7 +7,6 @@
 #include "engine/state/wall_assembly.hpp"
 #include "engine/step/loads.hpp"
 
-#include <limits>
 #include <utility>
 #include <variant>
 
@@ -94,7 +93,7 @@ void Simulation::take_in(const model::Notch& notch) {
             Problem{notch.place, "notch", "", "cuts no bond of body \"" + state_->bodies.at(notch.body).name + '"',
                     "it must cross a line between two bonded centres, whose bond can break and still holds"});
     }
-    inside_->stepper.search.travelled = std::numeric_limits<double>::infinity();
+    step::put_in_doubt(inside_->stepper.search);
     inside_->step_outdated = true;
     if (inside_->started) release(notch.body, held);
 }

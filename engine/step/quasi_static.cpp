@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -195,7 +194,7 @@ void QuasiStatic::place(double time) {
     const double dt = std::exchange(state_.dt, 0.0);
     for (const std::unique_ptr<FailingBonds>& set : sets_) set->settle(state_, contacts);
     append_contacts(state_, stepper_.search, contacts);
-    stepper_.search.travelled = std::numeric_limits<double>::infinity();
+    put_in_doubt(stepper_.search);
     compute_forces(state_, stepper_);
     state_.dt = dt;
     if (!state_.drives.empty()) apply_drives(state_);

@@ -43,7 +43,7 @@ public:
             return find_or_throw();
         } catch (...) {
             state_ = before_;
-            stepper_.search.travelled = std::numeric_limits<double>::infinity();
+            put_in_doubt(stepper_.search);
             throw;
         }
     }
@@ -68,7 +68,7 @@ private:
         state_.bond_sets = before_.bond_sets;
         state_.contacts = before_.contacts;
         state_.cracks = before_.cracks;
-        stepper_.search.travelled = std::numeric_limits<double>::infinity();
+        put_in_doubt(stepper_.search);
         const double dt = std::exchange(state_.dt, 0.0);
         compute_forces(state_, stepper_);
         state_.dt = dt;

@@ -149,7 +149,7 @@ void advance(state::State& state, Stepper& stepper) {
     check_drift(state, moved, stepper.limit.share);
     if (!state.walls.empty()) moved.farthest = std::max(moved.farthest, move_walls(state, stepper.limit));
     if (driven) book_work(state);
-    stepper.search.travelled += moved.farthest;
+    travel(stepper.search, moved.farthest);
     ++state.step;
     state.time += state.dt;
 
@@ -160,6 +160,10 @@ void advance(state::State& state, Stepper& stepper) {
 }
 
 void start(state::State& state, Stepper& stepper) {
+    double fastest = 0.0;
+    for (std::size_t k = 0; k < state.elements.size(); ++k)
+        fastest = std::max(fastest, norm(state.elements.velocity(k)));
+    travel(stepper.search, fastest * state.dt);
     refresh_contacts(state, stepper.search);
     const double dt = std::exchange(state.dt, 0.0);
     compute_forces(state, stepper);
