@@ -192,17 +192,18 @@ TEST_CASE("friction spends exactly what the motion gives it") {
     // Slip at constant pressure: the work of the shear force over a long slide is mu N times the slip.
     const law::Coulomb::Params p{1e9, 1e8, 0.5};
     law::Coulomb::History<double> history;
+    law::Spent<double> spent;
     const double dt = 1e-6;
     const double v = 0.3;
     double force = 0.0;
     for (int n = 0; n < 2000; ++n) {
-        force = law::Coulomb::respond(p, law::Coulomb::Input<double>{1e-5, 0.0, v, 0.0, 0.0}, dt, history).shear;
+        force = law::Coulomb::respond(p, law::Coulomb::Input<double>{1e-5, 0.0, v, 0.0, 0.0}, dt, history, spent).shear;
     }
     const double cap = 0.5 * 1e9 * 1e-5;
     CHECK(force == cap);
     const double stored = 0.5 * 1e8 * history.shear * history.shear;
     // Slid in all: v n dt, of which cap/Kt stretched the spring first.
-    CHECK(history.friction == Approx(cap * (v * 2000 * dt - cap / 1e8)).epsilon(1e-3));
+    CHECK(spent.friction == Approx(cap * (v * 2000 * dt - cap / 1e8)).epsilon(1e-3));
     CHECK(stored == Approx(0.5 * cap * cap / 1e8).epsilon(1e-12));
-    CHECK(std::fabs(history.damped) < 1e-12 * history.friction); // the spring alone spends nothing
+    CHECK(std::fabs(spent.damped) < 1e-12 * spent.friction); // the spring alone spends nothing
 }

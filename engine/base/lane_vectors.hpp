@@ -8,6 +8,7 @@
 #include "engine/base/column.hpp"
 #include "engine/base/lanes.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -137,6 +138,61 @@ DEMLUA_INLINE Lanes<W> picked(const double* from, const Index* rows) {
     Lanes<W> lanes;
     for (std::size_t l = 0; l < W; ++l) lanes.v[l] = from[rows[l]];
     return lanes;
+}
+
+/// Eight numbers for each lane.
+template <std::size_t W>
+using LaneRecord = std::array<Lanes<W>, 8>;
+
+/// Rows become columns: lane l of entry m changes places with lane m of entry l.
+DEMLUA_INLINE void transpose(LaneRecord<8>& square) {
+    for (std::size_t at : {0, 2, 4, 6}) {
+        const auto a = square[at].v;
+        const auto b = square[at + 1].v;
+        square[at].v = __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
+        square[at + 1].v = __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (std::size_t at : {0, 1, 4, 5}) {
+        const auto a = square[at].v;
+        const auto b = square[at + 2].v;
+        square[at].v = __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13);
+        square[at + 2].v = __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (std::size_t at : {0, 1, 2, 3}) {
+        const auto a = square[at].v;
+        const auto b = square[at + 4].v;
+        square[at].v = __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11);
+        square[at + 4].v = __builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+}
+
+/// Records of eight numbers that stand together in memory, picked out row by row: whole lines of memory, turned in
+/// registers, where there are enough of these.
+template <std::size_t W>
+DEMLUA_INLINE LaneRecord<W> picked_records(const double* records, const Index* rows) {
+    LaneRecord<W> record;
+    if constexpr (W == 8) {
+        for (std::size_t l = 0; l < W; ++l) record[l] = loaded<W>(records + 8 * std::size_t{rows[l]});
+        transpose(record);
+    } else {
+        for (std::size_t m = 0; m < record.size(); ++m) {
+            for (std::size_t l = 0; l < W; ++l) record[m].v[l] = records[8 * std::size_t{rows[l]} + m];
+        }
+    }
+    return record;
+}
+
+/// W records that follow each other.
+template <std::size_t W>
+DEMLUA_INLINE void store_records(double* to, LaneRecord<W> record) {
+    if constexpr (W == 8) {
+        transpose(record);
+        for (std::size_t l = 0; l < W; ++l) store(to + 8 * l, record[l]);
+    } else {
+        for (std::size_t m = 0; m < record.size(); ++m) {
+            for (std::size_t l = 0; l < W; ++l) to[8 * l + m] = record[m].v[l];
+        }
+    }
 }
 
 /// Whether any of W bytes is not zero.

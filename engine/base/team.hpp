@@ -48,7 +48,7 @@ private:
     using Trampoline = void (*)(const void*, Share);
     static constexpr std::size_t shortest_shared_loop = 1024;
     static constexpr std::size_t parts_per_thread = 2;
-    static constexpr std::size_t grain = 8;
+    static constexpr std::size_t grain = 64; ///< parts begin at multiples of it
 
     void dispatch(std::size_t count, const void* context, Trampoline call);
     void work();

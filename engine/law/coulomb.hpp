@@ -12,6 +12,7 @@
 #pragma once
 
 #include "engine/base/lanes.hpp"
+#include "engine/law/spent.hpp"
 
 #include <array>
 
@@ -30,13 +31,10 @@ struct Coulomb {
 
     template <class T>
     struct History {
-        T shear{};    ///< elastic shear displacement us, m
-        T damping{};  ///< normal dashpot force at the last instant, N
-        T force{};    ///< shear force at the last instant, N
-        T friction{}; ///< work spent by slipping, J
-        T damped{};   ///< work spent by the dashpots, J
-        static constexpr std::array<T History::*, 5> members{&History::shear, &History::damping, &History::force,
-                                                             &History::friction, &History::damped};
+        T shear{};   ///< elastic shear displacement us, m
+        T damping{}; ///< normal dashpot force at the last instant, N
+        T force{};   ///< shear force at the last instant, N
+        static constexpr std::array<T History::*, 3> members{&History::shear, &History::damping, &History::force};
     };
 
     /// What the pair does now: overlap (m), speeds at which overlap and shear grow (m/s), the dashpots (N s/m).
@@ -56,8 +54,10 @@ struct Coulomb {
         T shear;
     };
 
+    /// Adds to `spent` what this step takes.
     template <class T>
-    static Force<T> respond(const Constants<T>& p, const Input<T>& in, double dt, History<T>& history) {
+    static Force<T> respond(const Constants<T>& p, const Input<T>& in, double dt, History<T>& history,
+                            Spent<T>& spent) {
         const auto touching = in.overlap > 0.0;
         const T spring = p.Kn * in.overlap;
         const T pressure = select(touching, larger(T{}, spring + in.Cn * in.closing), T{});
@@ -70,14 +70,15 @@ struct Coulomb {
         const auto slips = magnitude(trial) > cap;
         const T shear = select(touching, clamped(trial, cap), T{});
         // The spring cannot hold more than friction lets through.
-        const T held = select(p.Kt > 0.0, select(slips, clamped(p.Kt * stretched, cap) / p.Kt, stretched), T{});
-        const T kept = select(touching, held, T{});
+        T held = stretched;
+        if (any(slips)) held = select(both(slips, p.Kt > 0.0), clamped(p.Kt * stretched, cap) / p.Kt, stretched);
+        const T kept = select(both(touching, p.Kt > 0.0), held, T{});
 
-        const T spent =
+        const T taken =
             0.5 * (history.force + shear) * slide - 0.5 * p.Kt * (kept * kept - history.shear * history.shear);
-        const T rubbed = select(slips, larger(T{}, spent), T{});
-        history.friction += rubbed;
-        history.damped += spent - rubbed + 0.5 * (history.damping + damping) * (in.closing * dt);
+        const T rubbed = select(slips, larger(T{}, taken), T{});
+        spent.friction += rubbed;
+        spent.damped += taken - rubbed + 0.5 * (history.damping + damping) * (in.closing * dt);
         history.shear = kept;
         history.force = shear;
         history.damping = damping;

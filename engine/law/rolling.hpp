@@ -8,6 +8,7 @@
 #pragma once
 
 #include "engine/base/lanes.hpp"
+#include "engine/law/spent.hpp"
 
 #include <array>
 
@@ -16,12 +17,9 @@ namespace demlua::law {
 struct Rolling {
     template <class T>
     struct History {
-        T turn{};     ///< elastic part q, rad
-        T moment{};   ///< at the last instant, N m
-        T friction{}; ///< work spent by rolling on, J
-        T damped{};   ///< work spent by the dashpot, J
-        static constexpr std::array<T History::*, 4> members{&History::turn, &History::moment, &History::friction,
-                                                             &History::damped};
+        T turn{};   ///< elastic part q, rad
+        T moment{}; ///< at the last instant, N m
+        static constexpr std::array<T History::*, 2> members{&History::turn, &History::moment};
     };
 
     /// What the pair does now: the stiffness (N m), the dashpot (N m s), the greatest moment (N m; zero while nothing
@@ -34,9 +32,9 @@ struct Rolling {
         T rolling;
     };
 
-    /// Moment on i, N m.
+    /// Moment on i, N m; adds to `spent` what this step takes.
     template <class T>
-    static T respond(const Input<T>& in, double dt, History<T>& history) {
+    static T respond(const Input<T>& in, double dt, History<T>& history, Spent<T>& spent) {
         const T rolled = in.rolling * dt;
         const T turned = history.turn + rolled;
         const T trial = in.stiffness * turned + in.dashpot * in.rolling;
@@ -44,10 +42,10 @@ struct Rolling {
         const T moment = clamped(trial, in.cap);
         const T kept =
             select(both(in.stiffness > 0.0, in.cap > 0.0), clamped(in.stiffness * turned, in.cap) / in.stiffness, T{});
-        const T spent =
+        const T taken =
             0.5 * (history.moment + moment) * rolled - 0.5 * in.stiffness * (kept * kept - history.turn * history.turn);
-        history.friction += select(rolls_on, spent, T{});
-        history.damped += select(rolls_on, T{}, spent);
+        spent.friction += select(rolls_on, taken, T{});
+        spent.damped += select(rolls_on, T{}, taken);
         history.turn = kept;
         history.moment = moment;
         return moment;

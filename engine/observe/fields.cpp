@@ -102,7 +102,7 @@ FieldValues coordinations(const state::State& state) {
             any);
     }
     for (std::size_t c = 0; c < state.contacts.size(); ++c) {
-        if (state.contacts.overlap[c] <= 0.0) continue;
+        if (state.overlap(c) <= 0.0) continue;
         ++count[state.contacts.i[c]];
         ++count[state.contacts.j[c]];
     }

@@ -73,25 +73,37 @@ void add_bonds(const state::State& state, const Bonds& bonds, Ledger& ledger) {
     ledger.fracture += bonds.fracture_work;
 }
 
+void add_spent(const law::Spent<double>& spent, Ledger& ledger) {
+    ledger.friction += spent.friction;
+    ledger.contact_damping += spent.damped;
+}
+
 void add_rolling(const state::RollingContacts& rolling, Ledger& ledger) {
     for (std::size_t c = 0; c < rolling.stiffness.size(); ++c) {
-        const law::Rolling::History<double> history = rolling.history.at(c);
-        ledger.contacts += law::Rolling::stored_energy(rolling.stiffness[c], history);
-        ledger.friction += history.friction;
-        ledger.contact_damping += history.damped;
+        ledger.contacts += law::Rolling::stored_energy(rolling.stiffness[c], rolling.history.at(c));
+        add_spent(rolling.spent.at(c), ledger);
     }
 }
 
-template <class Contacts, class ParamsOf>
-void add_contacts(const Contacts& contacts, const ParamsOf& params_of, Ledger& ledger) {
+void add_contacts(const state::State& state, Ledger& ledger) {
+    const state::Contacts& contacts = state.contacts;
     for (std::size_t c = 0; c < contacts.size(); ++c) {
-        const state::ContactHistory history = contacts.history.at(c);
-        ledger.contacts += law::Coulomb::stored_energy(params_of(c), contacts.overlap[c], history);
-        ledger.friction += history.friction;
-        ledger.contact_damping += history.damped;
+        const law::Coulomb::Params params = contacts.rules[contacts.rule[c]].params();
+        ledger.contacts += law::Coulomb::stored_energy(params, state.overlap(c), contacts.history.at(c));
     }
-    ledger.friction += contacts.spent.friction;
-    ledger.contact_damping += contacts.spent.damping;
+    add_spent(contacts.spent(), ledger);
+    add_rolling(contacts.rolling, ledger);
+}
+
+void add_wall_contacts(const state::State& state, Ledger& ledger) {
+    const state::WallContacts& contacts = state.wall_contacts;
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+        const law::Coulomb::Params params = state::wall_rule(state, contacts.wall[c], contacts.element[c]).params();
+        ledger.contacts += law::Coulomb::stored_energy(params, contacts.overlap[c], contacts.history.at(c));
+        add_spent(contacts.spent.at(c), ledger);
+    }
+    add_spent(contacts.booked, ledger);
+    add_rolling(contacts.rolling, ledger);
 }
 
 double gravity_energy(const state::State& state) {
@@ -135,16 +147,8 @@ Ledger ledger_of(const state::State& state) {
     for (const state::AnyBondSet& any : state.bond_sets) {
         std::visit([&](const auto& bonds) { add_bonds(state, bonds, ledger); }, any);
     }
-    add_contacts(
-        state.contacts, [&](std::size_t c) { return state.contacts.rules[state.contacts.rule[c]].params(); }, ledger);
-    add_contacts(
-        state.wall_contacts,
-        [&](std::size_t c) {
-            return state::wall_rule(state, state.wall_contacts.wall[c], state.wall_contacts.element[c]).params();
-        },
-        ledger);
-    add_rolling(state.contacts.rolling, ledger);
-    add_rolling(state.wall_contacts.rolling, ledger);
+    add_contacts(state, ledger);
+    add_wall_contacts(state, ledger);
     ledger.potential = gravity_energy(state);
     ledger.mass_damping = state.booked.mass_damping + motion.damped;
     ledger.removed = state.booked.removed;

@@ -26,11 +26,10 @@ std::size_t Simulation::element_count() const { return state_->elements.size(); 
 std::size_t Simulation::bond_count() const { return observe::bond_count(*state_); }
 
 std::size_t Simulation::contact_count() const {
-    const auto touching = [](const Column<double>& overlap) {
-        return static_cast<std::size_t>(
-            std::count_if(overlap.begin(), overlap.end(), [](double depth) { return depth > 0.0; }));
-    };
-    return touching(state_->contacts.overlap) + touching(state_->wall_contacts.overlap);
+    std::size_t count = 0;
+    for (std::size_t c = 0; c < state_->contacts.size(); ++c) count += state_->overlap(c) > 0.0 ? 1 : 0;
+    for (const double overlap : state_->wall_contacts.overlap) count += overlap > 0.0 ? 1 : 0;
+    return count;
 }
 
 std::size_t Simulation::broken_bonds() const { return broken_bond_count(*state_); }

@@ -29,10 +29,8 @@ template <class Law>
 void find_yielding_stiffness(FacetSet<Law>& bonds) {
     std::vector<double> grown(bonds.pressure_per_growth.size());
     for (std::size_t k = 0; k < bonds.size(); ++k) {
-        grown[bonds.i[k] - bonds.slots.first] +=
-            std::abs(bonds.growth_i[k].normal) + std::abs(bonds.growth_i[k].shear);
-        grown[bonds.j[k] - bonds.slots.first] +=
-            std::abs(bonds.growth_j[k].normal) + std::abs(bonds.growth_j[k].shear);
+        grown[bonds.i[k] - bonds.slots.first] += std::abs(bonds.growth_i[k].normal) + std::abs(bonds.growth_i[k].shear);
+        grown[bonds.j[k] - bonds.slots.first] += std::abs(bonds.growth_j[k].normal) + std::abs(bonds.growth_j[k].shear);
     }
     for (std::size_t k = 0; k < bonds.size(); ++k) bonds.yielding.push_back(row_stiffness(bonds, grown, k));
 }

@@ -4,6 +4,7 @@
 #include "engine/law/stiffness.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace demlua::state {
@@ -58,6 +59,11 @@ void lay_out_materials(const model::Scene& scene, State& state) {
         for (const MaterialFacts& b : state.materials) state.contacts.rules.push_back(pair_rule(a, b));
     }
     for (const model::ContactRule& said : scene.contact_rules) apply(said, state.contacts);
+    for (std::size_t k = 0; k < state.contacts.rules.columns[0].size(); ++k) {
+        PairRule rule = state.contacts.rules[k];
+        rule.shear_damping = std::sqrt(rule.Kt / rule.Kn);
+        state.contacts.rules.store(k, rule);
+    }
     for (const double friction : state.contacts.rules.column<&PairRule::rolling_friction>()) {
         state.contacts.rolls |= friction > 0.0;
     }

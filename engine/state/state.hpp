@@ -132,6 +132,15 @@ struct State {
         if (rigid_row.empty() || rigid_row[k] == no_rigid) return std::nullopt;
         return rigid_row[k];
     }
+    /// By how much the pair of contact `c` overlaps now, m; below zero while it does not touch.
+    [[nodiscard]] double overlap(std::size_t c) const {
+        return contacts.reference[c] - distance(contacts.i[c], contacts.j[c]);
+    }
+    /// Of the centres of two elements, or of their nearest images, m.
+    [[nodiscard]] double distance(std::size_t i, std::size_t j) const {
+        const Vec2 between = elements.position(j) - elements.position(i);
+        return norm(period.repeats() ? period.shortest(between) : between);
+    }
     [[nodiscard]] bool is_gone(std::size_t k) const { return !gone.empty() && gone[k] != 0; }
     /// Mass that moves with element `k` when it is pushed, kg.
     [[nodiscard]] double pushed_mass(std::size_t k) const {

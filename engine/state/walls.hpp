@@ -83,8 +83,9 @@ struct WallContacts {
     Column<double> moment;  ///< on the element, N m
     Column<double> turning; ///< on the wall about its centre, N m
     HistoryColumns<ContactHistory> history;
-    RollingContacts rolling; ///< only where contacts of elements roll too
-    SpentInContacts spent;
+    StructColumns<law::Spent<double>> spent;
+    RollingContacts rolling;   ///< only where contacts of elements roll too
+    law::Spent<double> booked; ///< in contacts that are no longer listed
 
     [[nodiscard]] std::size_t size() const { return wall.size(); }
 };

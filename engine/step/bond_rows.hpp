@@ -7,6 +7,7 @@
 #include "engine/state/bonds.hpp"
 #include "engine/state/elements.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -232,6 +233,13 @@ struct OneLane {
 
     static double load(const double* from) { return *from; }
     static void store(double* to, double value) { *to = value; }
+    using Record = std::array<double, 8>;
+    static Record pick_records(const double* records, const Index* rows) {
+        Record record;
+        std::copy_n(records + 8 * std::size_t{*rows}, 8, record.begin());
+        return record;
+    }
+    static void put_records(double* to, const Record& record) { std::copy(record.begin(), record.end(), to); }
     static bool any_marked(const std::uint8_t* marks) { return *marks != 0; }
 
     struct Picked {

@@ -9,9 +9,9 @@ namespace demlua::step {
 
 /// Where the columns of contacts, and of the elements they ask for, begin.
 ContactRows rows_of(state::Contacts& contacts);
-PlaceRows places_of(const state::Elements& elements);
+PlaceRows rows_of_places(const state::Elements& elements);
 
-/// Fills overlap .. moment_j of all contacts and adds their forces to the elements.
-void contact_forces(state::State& state, const Kernels& kernels, Team& team);
+/// Fills fx .. moment_j of all contacts and adds their forces to the elements. `records` is room for the elements' records.
+void contact_forces(state::State& state, Column<double>& records, const Kernels& kernels, Team& team);
 
 } // namespace demlua::step

@@ -10,29 +10,24 @@ namespace demlua::step {
 struct ContactPast {
     state::ContactHistory contact;
     law::Rolling::History<double> rolling;
+    law::Spent<double> spent; ///< as far as the row keeps it
+    law::Spent<double> spent_in_rolling;
 };
 
-/// Of row `row` of a list of contacts with elements or with walls.
+/// Of row `row` of a list of contacts with elements or with walls; all but `spent`.
 template <class List>
 ContactPast past_of(const List& contacts, std::size_t row) {
-    ContactPast past{contacts.history.at(row), {}};
-    if (contacts.rolling.present()) past.rolling = contacts.rolling.history.at(row);
+    ContactPast past{contacts.history.at(row), {}, {}, {}};
+    if (contacts.rolling.present()) {
+        past.rolling = contacts.rolling.history.at(row);
+        past.spent_in_rolling = contacts.rolling.spent.at(row);
+    }
     return past;
 }
 
-/// Books what a contact that leaves its list has spent.
-inline void book_spent(state::SpentInContacts& spent, const ContactPast& past) {
-    spent.friction += past.contact.friction + past.rolling.friction;
-    spent.damping += past.contact.damped + past.rolling.damped;
-}
-
-/// Energy that row `row`, a contact with spring and friction `params`, still stores, J.
-template <class List>
-double stored_in(const List& contacts, const law::Coulomb::Params& params, std::size_t row) {
-    const ContactPast past = past_of(contacts, row);
-    const double turned =
-        contacts.rolling.present() ? law::Rolling::stored_energy(contacts.rolling.stiffness[row], past.rolling) : 0.0;
-    return law::Coulomb::stored_energy(params, contacts.overlap[row], past.contact) + turned;
+/// Energy that a contact with spring and friction `params` and turning stiffness `kr` still stores, J.
+inline double stored_in(const ContactPast& past, const law::Coulomb::Params& params, double overlap, double kr) {
+    return law::Coulomb::stored_energy(params, overlap, past.contact) + law::Rolling::stored_energy(kr, past.rolling);
 }
 
 } // namespace demlua::step

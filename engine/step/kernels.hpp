@@ -34,7 +34,8 @@ struct Kernels {
     MeasureKernel measure_facets;
     PressureKernel press_cells;
     DashpotKernel facet_dashpots;
-    std::array<FacetKernel, 2> facet_forces;     ///< second with dashpots
+    std::array<FacetKernel, 2> facet_forces; ///< second with dashpots
+    RecordKernel fill_records;
     std::array<ContactKernel, 4> contact_forces; ///< + 1 with rolling, + 2 where the plane repeats
     std::array<MotionKernel, 4> move;            ///< + 1 with mass damping, + 2 with gravity
     law::ForEachBondLaw<PairKernels, FacetKernels, std::tuple> bonds;

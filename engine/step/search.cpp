@@ -122,13 +122,12 @@ void append_row(state::State& state, const Candidate& pair, const ContactPast& p
     contacts.reference.push_back(pair.reference);
     contacts.share_i.push_back(elements.radius[pair.i] / (elements.radius[pair.i] + elements.radius[pair.j]));
     contacts.Cn.push_back(2.0 * rule.damping_fraction * std::sqrt(rule.Kn * m));
-    contacts.Ct.push_back(2.0 * rule.damping_fraction * std::sqrt(rule.Kt * m));
-    contacts.history.resize(contacts.size());
-    contacts.history.store(contacts.size() - 1, past.contact);
+    contacts.history.push_back(past.contact);
+    if (state.wear.present()) contacts.slid.push_back(past.spent.friction);
     if (!contacts.rolls) return;
     const double r = 1.0 / (1.0 / elements.radius[pair.i] + 1.0 / elements.radius[pair.j]);
     const double inertia = 1.0 / (elements.inverse_inertia[pair.i] + elements.inverse_inertia[pair.j]);
-    contacts.rolling.push_back(r, rule.Kt, rule.damping_fraction, inertia, past.rolling);
+    contacts.rolling.push_back(r, rule.Kt, rule.damping_fraction, inertia, past.rolling, past.spent_in_rolling);
 }
 
 /// Room for contacts that broken bonds leave before the next search, so that slots are not made anew for each of them.
@@ -136,13 +135,14 @@ constexpr std::size_t spare_rows = 256;
 
 void finish(state::State& state) {
     state::Contacts& contacts = state.contacts;
-    contacts.overlap.resize(contacts.size());
     if (contacts.in_slots > 0 && contacts.size() < contacts.slots.none) return;
     contacts.slots = state::slots_of(contacts.i, contacts.j, 0, state.elements.size(), spare_rows);
     contacts.in_slots = contacts.size();
     for (Column<double>* column : {&contacts.fx, &contacts.fy, &contacts.moment_i, &contacts.moment_j}) {
         column->resize(contacts.slots.none + 1);
     }
+    contacts.friction.cover(contacts.slots.none);
+    contacts.damped.cover(contacts.slots.none);
 }
 
 state::Contacts emptied(const state::Contacts& old) {
@@ -150,20 +150,27 @@ state::Contacts emptied(const state::Contacts& old) {
     contacts.rules = old.rules;
     contacts.materials = old.materials;
     contacts.rolls = old.rolls;
-    contacts.spent = old.spent;
+    contacts.booked = old.spent();
     return contacts;
+}
+
+ContactPast kept_of(const state::Contacts& old, std::size_t row) {
+    ContactPast past = past_of(old, row);
+    if (!old.slid.empty()) past.spent.friction = old.slid[row];
+    return past;
 }
 
 /// What a pair that leaves the list had spent, and what it still stores if an element was taken out.
 void book(state::State& state, const state::Contacts& old, std::size_t row) {
-    const ContactPast past = past_of(old, row);
+    const ContactPast past = kept_of(old, row);
     const Index i = old.i[row];
     const Index j = old.j[row];
-    book_spent(state.contacts.spent, past);
-    if (state.wear.present()) state.wear.book(state.elements, i, j, past.contact.friction);
-    if (state.is_gone(i) || state.is_gone(j)) {
-        state.booked.removed += stored_in(old, old.rules[old.rule[row]].params(), row);
-    }
+    state.contacts.booked += past.spent_in_rolling;
+    if (state.wear.present()) state.wear.book(state.elements, i, j, past.spent.friction);
+    if (!state.is_gone(i) && !state.is_gone(j)) return;
+    const double overlap = old.reference[row] - state.distance(i, j);
+    const double kr = old.rolls ? old.rolling.stiffness[row] : 0.0;
+    state.booked.removed += stored_in(past, old.rules[old.rule[row]].params(), overlap, kr);
 }
 
 /// Rows of the old list in rising order of (i, j): bonds that broke since the last search stand unsorted at its end.
@@ -192,7 +199,7 @@ void refresh_pairs(state::State& state, Search& search) {
     for (const Candidate& pair : found) {
         book_until(pair);
         ContactPast past;
-        if (next != rows.end() && std::tie(old.i[*next], old.j[*next]) == pair.key()) past = past_of(old, *next++);
+        if (next != rows.end() && std::tie(old.i[*next], old.j[*next]) == pair.key()) past = kept_of(old, *next++);
         append_row(state, pair, past);
     }
     for (; next != rows.end(); ++next) book(state, old, *next);

@@ -17,6 +17,11 @@ struct SeveralLanes {
 
     DEMLUA_INLINE static Number load(const double* from) { return loaded<W>(from); }
     DEMLUA_INLINE static void store(double* to, Number value) { demlua::store(to, value); }
+    using Record = LaneRecord<W>;
+    DEMLUA_INLINE static Record pick_records(const double* records, const Index* rows) {
+        return picked_records<W>(records, rows);
+    }
+    DEMLUA_INLINE static void put_records(double* to, const Record& record) { store_records<W>(to, record); }
     DEMLUA_INLINE static bool any_marked(const std::uint8_t* marks) { return any_set<W>(marks); }
 
     /// Rows that follow each other, as most do where elements stand in rows, are loaded whole.

@@ -131,7 +131,8 @@ void add_forces(state::State& state, Stepper& stepper) {
                    [&] { std::visit([&](auto& bonds) { compute_bonds(state, stepper, bonds); }, any); });
     }
     if (state.contacts.size() > 0) {
-        clock.time(step, Stage::contacts, [&] { contact_forces(state, *stepper.kernels, stepper.team); });
+        clock.time(step, Stage::contacts,
+                   [&] { contact_forces(state, stepper.records, *stepper.kernels, stepper.team); });
     }
     if (!state.walls.empty()) clock.time(step, Stage::walls, [&] { wall_forces(state, stepper.team); });
     if (!state.loads.empty()) clock.time(step, Stage::loads, [&] { add_loads(state); });

@@ -37,8 +37,9 @@ struct Stepper {
     const Kernels* kernels;
     Search search;
     TravelLimit limit;
-    model::Region domain; ///< elements that leave it are taken out; empty where nothing can leave
-    bool cut = false;     ///< whether bonds have been marked to break at this instant
+    model::Region domain;   ///< elements that leave it are taken out; empty where nothing can leave
+    Column<double> records; ///< of elements, as contacts see them; empty while there are no contacts
+    bool cut = false;       ///< whether bonds have been marked to break at this instant
     Clock clock;
 
     Stepper(Team& threads, const state::State& state, double greatest_share);

@@ -29,9 +29,11 @@ double rolling_moment(state::State& state, std::size_t c, double pressure) {
     law::Rolling::History<double> history = rolling.history.at(c);
     const double cap = state::wall_rule(state, w, e).rolling_friction * rolling.radius[c] * pressure;
     const double turning = state.walls[w].spin - state.elements.spin[e];
-    const double moment =
-        law::Rolling::respond<double>({rolling.stiffness[c], rolling.dashpot[c], cap, turning}, state.dt, history);
+    law::Spent<double> spent = rolling.spent.at(c);
+    const double moment = law::Rolling::respond<double>({rolling.stiffness[c], rolling.dashpot[c], cap, turning},
+                                                        state.dt, history, spent);
     rolling.history.store(c, history);
+    rolling.spent.store(c, spent);
     return moment;
 }
 
@@ -57,9 +59,11 @@ bool press(state::State& state, std::size_t c) {
     const law::Coulomb::Input<double> in{overlap, -dot(v, gap.normal),
                                          dot(v, tangent) - gap.distance * elements.spin[e], contacts.Cn[c],
                                          contacts.Ct[c]};
+    law::Spent<double> spent = contacts.spent.at(c);
     const auto force =
-        law::Coulomb::respond(state::wall_rule(state, contacts.wall[c], e).params(), in, state.dt, history);
+        law::Coulomb::respond(state::wall_rule(state, contacts.wall[c], e).params(), in, state.dt, history, spent);
     contacts.history.store(c, history);
+    contacts.spent.store(c, spent);
     const Vec2 f = force.pressure * gap.normal - force.shear * tangent;
     contacts.fx[c] = f.x;
     contacts.fy[c] = f.y;

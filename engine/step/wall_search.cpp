@@ -34,15 +34,22 @@ std::vector<Vec2> shifts_of(const state::Wall& wall, std::size_t segment, Period
     return {{inside - period.length, 0.0}, {inside, 0.0}, {inside + period.length, 0.0}};
 }
 
+ContactPast kept_of(const state::WallContacts& old, std::size_t row) {
+    ContactPast past = past_of(old, row);
+    past.spent = old.spent.at(row);
+    return past;
+}
+
 /// What a row that leaves the list had spent, and what it still stores if its element was taken out.
 void book(state::State& state, const state::WallContacts& old, std::size_t row) {
-    const ContactPast past = past_of(old, row);
+    const ContactPast past = kept_of(old, row);
     const Index e = old.element[row];
-    book_spent(state.wall_contacts.spent, past);
-    if (state.wear.present()) state.wear.past[e] += past.contact.friction;
-    if (state.is_gone(e)) {
-        state.booked.removed += stored_in(old, state::wall_rule(state, old.wall[row], e).params(), row);
-    }
+    state.wall_contacts.booked += past.spent;
+    state.wall_contacts.booked += past.spent_in_rolling;
+    if (state.wear.present()) state.wear.past[e] += past.spent.friction;
+    if (!state.is_gone(e)) return;
+    const double kr = old.rolling.present() ? old.rolling.stiffness[row] : 0.0;
+    state.booked.removed += stored_in(past, state::wall_rule(state, old.wall[row], e).params(), old.overlap[row], kr);
 }
 
 /// Walks along the walls: each segment finds the elements near it, which it tells of its points too. A point between two
@@ -87,11 +94,11 @@ void append_row(state::State& state, const Candidate& row, const ContactPast& pa
     contacts.part.push_back(row.part);
     contacts.Cn.push_back(2.0 * rule.damping_fraction * std::sqrt(rule.Kn * m));
     contacts.Ct.push_back(2.0 * rule.damping_fraction * std::sqrt(rule.Kt * m));
-    contacts.history.resize(contacts.size());
-    contacts.history.store(contacts.size() - 1, past.contact);
+    contacts.history.push_back(past.contact);
+    contacts.spent.push_back(past.spent);
     if (!state.contacts.rolls) return;
     contacts.rolling.push_back(state.elements.radius[row.element], rule.Kt, rule.damping_fraction,
-                               state.elements.inertia(row.element), past.rolling);
+                               state.elements.inertia(row.element), past.rolling, past.spent_in_rolling);
 }
 
 } // namespace
@@ -101,12 +108,12 @@ void refresh_wall_contacts(state::State& state, double skin, const Places& place
     const std::vector<Candidate> found = candidates(state, skin, places, grid);
     const state::WallContacts old = std::exchange(state.wall_contacts, {});
     state::WallContacts& contacts = state.wall_contacts;
-    contacts.spent = old.spent;
+    contacts.booked = old.booked;
     std::size_t next = 0;
     for (const Candidate& row : found) {
         while (next < old.size() && key_of(old, next) < row.key()) book(state, old, next++);
         const bool stays = next < old.size() && key_of(old, next) == row.key();
-        append_row(state, row, stays ? past_of(old, next++) : ContactPast{});
+        append_row(state, row, stays ? kept_of(old, next++) : ContactPast{});
     }
     while (next < old.size()) book(state, old, next++);
     for (Column<double>* column :

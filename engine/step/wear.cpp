@@ -29,7 +29,7 @@ void for_each_contact(const state::State& state, std::size_t k, bool inside, con
 /// Sliding work of the contacts of element k with elements of other clusters, J.
 double listed_work(const state::State& state, std::size_t k) {
     double work = 0.0;
-    for_each_contact(state, k, false, [&](std::size_t c) { work += state.contacts.history.at(c).friction; });
+    for_each_contact(state, k, false, [&](std::size_t c) { work += state.contacts.slid[c]; });
     return work;
 }
 
@@ -37,8 +37,8 @@ double listed_work(const state::State& state, std::size_t k) {
 void forget_inner_work(state::State& state, std::size_t k) {
     const state::Contacts& contacts = state.contacts;
     for_each_contact(state, k, true, [&](std::size_t c) {
-        state.wear.past[contacts.i[c]] -= contacts.history.at(c).friction;
-        state.wear.past[contacts.j[c]] -= contacts.history.at(c).friction;
+        state.wear.past[contacts.i[c]] -= contacts.slid[c];
+        state.wear.past[contacts.j[c]] -= contacts.slid[c];
     });
 }
 
@@ -112,7 +112,7 @@ Column<double> sliding_work(const state::State& state, Team& team) {
         for (std::size_t k = part.begin; k < part.end; ++k) work[k] = state.wear.past[k] + listed_work(state, k);
     });
     const state::WallContacts& walls = state.wall_contacts;
-    for (std::size_t c = 0; c < walls.size(); ++c) work[walls.element[c]] += walls.history.at(c).friction;
+    for (std::size_t c = 0; c < walls.size(); ++c) work[walls.element[c]] += walls.spent.at(c).friction;
     return work;
 }
 

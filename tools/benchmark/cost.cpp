@@ -53,7 +53,9 @@ public:
     void count(state::Contacts& contacts) {
         const auto run = contacts.rolls ? step::contact_forces<CountingLane, true, false>
                                         : step::contact_forces<CountingLane, false, false>;
-        run(step::rows_of(contacts), step::places_of(elements_), state_.period, state_.dt, 0, sampled(contacts.size()));
+        Column<double> records(step::record::width * elements_.size());
+        step::fill_records<CountingLane>(step::rows_of_places(elements_), records.data(), 0, elements_.size());
+        run(step::rows_of(contacts), records.data(), state_.period, state_.dt, 0, sampled(contacts.size()));
         if (contacts.size() > 0) count_slots(contacts);
     }
 

@@ -6,6 +6,7 @@
 #include "engine/base/lanes.hpp"
 #include "engine/state/bonds.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -85,6 +86,16 @@ struct CountingLane {
     static void store(double* to, Counted value) {
         Tally::note_written(to);
         *to = value.value;
+    }
+
+    using Record = std::array<Counted, 8>;
+    static Record pick_records(const double* records, const Index* rows) {
+        Record record;
+        for (std::size_t m = 0; m < record.size(); ++m) record[m] = load(records + 8 * std::size_t{*rows} + m);
+        return record;
+    }
+    static void put_records(double* to, const Record& record) {
+        for (std::size_t m = 0; m < record.size(); ++m) store(to + m, record[m]);
     }
 
     static bool any_marked(const std::uint8_t* marks) {

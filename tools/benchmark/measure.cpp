@@ -79,9 +79,10 @@ std::size_t bonds_of(const state::State& state) {
     return count;
 }
 
-std::size_t touching(const Column<double>& overlap) {
-    return static_cast<std::size_t>(
-        std::count_if(overlap.begin(), overlap.end(), [](double depth) { return depth > 0.0; }));
+std::size_t touching(const state::State& state) {
+    std::size_t count = 0;
+    for (std::size_t c = 0; c < state.contacts.size(); ++c) count += state.overlap(c) > 0.0 ? 1 : 0;
+    return count;
 }
 
 void advance(state::State& state, const Work& work) {
@@ -135,7 +136,7 @@ Measurement measure(const Work& work, const std::vector<int>& threads, double se
         if (round >= fewest_rounds && taken.count() > seconds) break;
         for (const auto& running : all) running->round();
     }
-    found.touching = touching(all.front()->state.contacts.overlap);
+    found.touching = touching(all.front()->state);
     found.broken = all.front()->state.cracks.size();
     for (const auto& running : all) found.rounds.push_back(running->rounds);
     return found;
