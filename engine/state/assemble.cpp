@@ -185,7 +185,8 @@ std::string describe(const State& state, std::size_t body, std::optional<model::
 std::pair<double, double> bond_sizes(const AnyBondSet& any, model::Network network) {
     return std::visit(
         [&](const auto& bonds) -> std::pair<double, double> {
-            Column<double> size = network == model::Network::facets ? bonds.length : bonds.radius;
+            Column<double> size =
+                (network == model::Network::facets ? bonds.length : bonds.radius).spread(bonds.size());
             const auto quarter = size.begin() + static_cast<std::ptrdiff_t>(size.size() / 4);
             std::nth_element(size.begin(), quarter, size.end());
             return {*quarter, *std::max_element(quarter, size.end())};

@@ -61,7 +61,7 @@ void lay_out(BondTable<Law>& bonds, const State& state, const std::vector<bondin
         bonds.Dx.push_back(D.x);
         bonds.Dy.push_back(D.y);
         bonds.length.push_back(norm(D));
-        bonds.inverse_length.push_back(1.0 / bonds.length.back());
+        bonds.inverse_length.push_back(1.0 / norm(D));
         bonds.share_i.push_back(elements.radius[i] / (elements.radius[i] + elements.radius[j]));
         bonds.radius.push_back(0.5 * (elements.radius[i] + elements.radius[j]));
     }
@@ -139,6 +139,16 @@ FacetSet<Law> facets_of(const State& state, const BondedBody& said, double dampi
     return bonds;
 }
 
+/// In a close packing all bonds are as long, but for rounding in the places of elements.
+template <class Law>
+void even_out(BondSet<Law>& bonds) {
+    constexpr double rounding = 1e-13;
+    for (EvenColumn* column : {&bonds.length, &bonds.inverse_length, &bonds.share_i, &bonds.radius}) {
+        column->even_out(rounding);
+    }
+    if (bonds.share_i.even() && bonds.share_i[0] == 0.5) bonds.moment_j = {};
+}
+
 template <class Law>
 BondSet<Law> pairs_of(const State& state, const BondedBody& said, double damping,
                       const std::vector<bonding::Pair>& pairs, const typename Law::Params& params) {
@@ -146,6 +156,7 @@ BondSet<Law> pairs_of(const State& state, const BondedBody& said, double damping
     bonds.params = params;
     bonds.body = said.body;
     lay_out(bonds, state, pairs);
+    even_out(bonds);
     if (damping > 0.0) add_dashpots(bonds, state.elements, damping);
     return bonds;
 }
@@ -247,7 +258,7 @@ std::size_t cut(State& state, std::size_t body, Vec2 from, Vec2 to) {
                         bonds.broken[k] = 1;
                         free_wall(bonds, k);
                         leave_cells(bonds, k);
-                        bonds.fx[k] = bonds.fy[k] = bonds.moment_i[k] = bonds.moment_j[k] = 0.0;
+                        bonds.let_go_of_force(k);
                         bonds.contact_length[k] = std::min(bonds.length[k], touch);
                         ++bonds.broken_count;
                         ++count;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/base/column.hpp"
+#include "engine/base/even_column.hpp"
 #include "engine/law/facet.hpp"
 #include "engine/law/laws.hpp"
 #include "engine/state/history.hpp"
@@ -35,18 +36,18 @@ struct BondTable {
 
     std::size_t body = 0;
 
-    Column<Index> i, j;            ///< rows of elements, i < j
-    Column<double> Dx, Dy;         ///< from i to j at bonding, m
-    Column<double> length;         ///< of D, m
-    Column<double> inverse_length; ///< 1/m
-    Column<double> share_i;        ///< of the length that belongs to i
-    Column<double> radius;         ///< mean of the two, m
+    Column<Index> i, j;        ///< rows of elements, i < j
+    Column<double> Dx, Dy;     ///< from i to j at bonding, m
+    EvenColumn length;         ///< of D, m
+    EvenColumn inverse_length; ///< 1/m
+    EvenColumn share_i;        ///< of the length that belongs to i
+    EvenColumn radius;         ///< mean of the two, m
     HistoryColumns<History> history;
     bool remembers = false; ///< whether any row of `history` may be other than zero
     BondDashpots dashpots;
 
     Column<double> fx, fy;             ///< on i; on j the opposite, N; a row of zeros after the last, for `slots`
-    Column<double> moment_i, moment_j; ///< N m; likewise
+    Column<double> moment_i, moment_j; ///< N m; likewise. moment_j is empty where it is moment_i throughout
 
     // only for laws that break
     Column<std::uint8_t> broken;
@@ -58,6 +59,9 @@ struct BondTable {
     PairSlots slots;
 
     [[nodiscard]] std::size_t size() const { return i.size(); }
+    [[nodiscard]] const Column<double>& moments_of_j() const { return moment_j.empty() ? moment_i : moment_j; }
+    [[nodiscard]] Column<double>& moments_of_j() { return moment_j.empty() ? moment_i : moment_j; }
+    void let_go_of_force(std::size_t bond) { fx[bond] = fy[bond] = moment_i[bond] = moments_of_j()[bond] = 0.0; }
     void remember(std::size_t bond, const History& past) {
         history.store(bond, past);
         remembers = true;

@@ -68,6 +68,7 @@ struct Contacts {
     law::Spent<double> booked; ///< in contacts that are no longer listed
 
     [[nodiscard]] std::size_t size() const { return i.size(); }
+    [[nodiscard]] const Column<double>& moments_of_j() const { return moment_j; }
     /// By contacts of now and before, rolling of now left out, J.
     [[nodiscard]] law::Spent<double> spent() const {
         return {booked.friction + friction.total(), booked.damped + damped.total()};

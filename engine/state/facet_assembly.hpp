@@ -42,7 +42,7 @@ void fill_facets(FacetSet<Law>& bonds, const bonding::FacetNetwork& network, con
     bonds.twice_shear = thickness * moduli.twice_shear;
     for (std::size_t k = 0; k < network.bonds.size(); ++k) {
         const bonding::FacetBond& bond = network.bonds[k];
-        bonds.share_i[k] = bond.share_i;
+        bonds.share_i.set(k, bond.share_i);
         bonds.walled.push_back(bond.walled ? 1 : 0);
         bonds.area.push_back(bond.whole.area);
         bonds.centre.push_back(bond.whole.centre);

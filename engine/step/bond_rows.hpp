@@ -26,7 +26,8 @@ struct BondRows {
 
     typename Law::Params params;
     const Index *i, *j;
-    const double *Dx, *Dy, *length, *inverse_length, *share_i, *radius;
+    const double *Dx, *Dy;
+    EvenRows length, inverse_length, share_i, radius;
     std::array<double*, History::members.size()> history;
     bool remembers; ///< whether `history` may be other than zero
     const double *Cn, *Ct;
@@ -47,10 +48,10 @@ BondRows<Law> rows_of(state::BondSet<Law>& bonds) {
                        bonds.j.data(),
                        bonds.Dx.data(),
                        bonds.Dy.data(),
-                       bonds.length.data(),
-                       bonds.inverse_length.data(),
-                       bonds.share_i.data(),
-                       bonds.radius.data(),
+                       bonds.length.rows(),
+                       bonds.inverse_length.rows(),
+                       bonds.share_i.rows(),
+                       bonds.radius.rows(),
                        {},
                        bonds.remembers || law::follows_rate<Law>,
                        bonds.dashpots.Cn.data(),
@@ -61,7 +62,7 @@ BondRows<Law> rows_of(state::BondSet<Law>& bonds) {
                        bonds.fx.data(),
                        bonds.fy.data(),
                        bonds.moment_i.data(),
-                       bonds.moment_j.data(),
+                       bonds.moments_of_j().data(),
                        bonds.broken.data()};
     for (std::size_t m = 0; m < rows.history.size(); ++m) rows.history[m] = bonds.history.columns[m].data();
     return rows;
@@ -152,8 +153,8 @@ void measure(const BondRows<Law>& bonds, const ElementRows& elements, std::size_
         const typename Lane::Picked j(bonds.j + k);
         const Vector2<T> D{Lane::load(bonds.Dx + k), Lane::load(bonds.Dy + k)};
         const law::BondMotion<T> motion =
-            motions<Lane>(elements, i, j, D, Lane::load(bonds.length + k), Lane::load(bonds.inverse_length + k),
-                          Lane::load(bonds.share_i + k));
+            motions<Lane>(elements, i, j, D, bonds.length.template load<Lane>(k),
+                          bonds.inverse_length.template load<Lane>(k), bonds.share_i.template load<Lane>(k));
         const std::size_t at = k - begin;
         Lane::store(block.inverse_length + at, motion.inverse_length);
         Lane::store(block.normal_x + at, motion.normal.x);
@@ -181,9 +182,9 @@ Happened respond(const BondRows<Law>& bonds, const ElementRows& elements, double
         const typename Lane::Held held(Law::breaks ? bonds.broken + k : nullptr);
         if (held.none()) continue;
         const law::BondMotion<T> motion = measured<Lane>(block, k - begin);
-        const T s = Lane::load(bonds.share_i + k);
-        const T l = Lane::load(bonds.length + k);
-        const T radius = Lane::load(bonds.radius + k);
+        const T s = bonds.share_i.template load<Lane>(k);
+        const T l = bonds.length.template load<Lane>(k);
+        const T radius = bonds.radius.template load<Lane>(k);
         const History before = bonds.remembers ? loaded_members<Lane, History>(bonds.history, k) : History{};
         History history = before;
         law::BondForce<T> force = Law::respond(bonds.params, radius, motion, history);

@@ -97,7 +97,7 @@ void settle_broken(state::State& state, Bonds& bonds, const std::vector<Index>& 
             ++bonds.broken_count;
             bonds.contact_length[k] = reference;
             bonds.break_time[k] = state.time;
-            bonds.fx[k] = bonds.fy[k] = bonds.moment_i[k] = bonds.moment_j[k] = 0.0;
+            bonds.let_go_of_force(k);
             contacts.push_back(left);
         }
     }

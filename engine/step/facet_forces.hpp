@@ -75,9 +75,9 @@ FacetRows rows_of(state::FacetSet<Law>& bonds) {
     rows.j = bonds.j.data();
     rows.Dx = bonds.Dx.data();
     rows.Dy = bonds.Dy.data();
-    rows.length = bonds.length.data();
-    rows.inverse_length = bonds.inverse_length.data();
-    rows.share_i = bonds.share_i.data();
+    rows.length = bonds.length.rows().column;
+    rows.inverse_length = bonds.inverse_length.rows().column;
+    rows.share_i = bonds.share_i.rows().column;
     rows.twice_shear = bonds.twice_shear;
     rows.area = bonds.area.data();
     rows.centre = bonds.centre.data();
@@ -168,8 +168,9 @@ struct Failing {
 
 template <class Law>
 SuspectRows<Law> suspects_of(state::FacetSet<Law>& bonds) {
-    return {bonds.tractions,     bonds.normal.data(),    bonds.shear.data(),  bonds.area.data(),
-            bonds.radius.data(), bonds.history.begins(), bonds.broken.data(), bonds.suspect.data()};
+    return {bonds.tractions,     bonds.normal.data(),        bonds.shear.data(),
+            bonds.area.data(),   bonds.radius.rows().column, bonds.history.begins(),
+            bonds.broken.data(), bonds.suspect.data()};
 }
 
 /// What facet `k`, under the forces of this instant, can no longer bear; nothing if it holds as it is.

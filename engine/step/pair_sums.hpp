@@ -16,7 +16,7 @@ void add_pair_forces(const Pairs& pairs, state::Elements& elements, const Kernel
     const PairSums sums{pairs.fx.data(),
                         pairs.fy.data(),
                         pairs.moment_i.data(),
-                        pairs.moment_j.data(),
+                        pairs.moments_of_j().data(),
                         slots.start.data(),
                         slots.row.data(),
                         elements.fx.data() + slots.first,

@@ -236,7 +236,7 @@ void append_contacts(state::State& state, Search& search, const std::vector<NewC
     for (const NewContact& contact : contacts) {
         const double touch = state.elements.radius[contact.i] + state.elements.radius[contact.j];
         search.excess = std::max(search.excess, contact.reference - touch);
-        append_row(state, {contact.i, contact.j, contact.reference}, {contact.history, {}});
+        append_row(state, {contact.i, contact.j, contact.reference}, {contact.history, {}, {}, {}});
     }
     finish(state);
 }

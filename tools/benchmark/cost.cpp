@@ -51,12 +51,13 @@ public:
     }
 
     void count(state::Contacts& contacts) {
+        if (contacts.size() == 0) return;
         const auto run = contacts.rolls ? step::contact_forces<CountingLane, true, false>
                                         : step::contact_forces<CountingLane, false, false>;
         Column<double> records(step::record::width * elements_.size());
-        step::fill_records<CountingLane>(step::rows_of_places(elements_), records.data(), 0, elements_.size());
+        step::fill_records<CountingLane>(step::rows_of_places(elements_), records.data(), 0, rows_);
         run(step::rows_of(contacts), records.data(), state_.period, state_.dt, 0, sampled(contacts.size()));
-        if (contacts.size() > 0) count_slots(contacts);
+        count_slots(contacts);
     }
 
     void count_motion() {
@@ -100,7 +101,7 @@ private:
         const step::PairSums sums{bonds.fx.data(),
                                   bonds.fy.data(),
                                   bonds.moment_i.data(),
-                                  bonds.moment_j.data(),
+                                  bonds.moments_of_j().data(),
                                   slots.start.data(),
                                   slots.row.data(),
                                   elements_.fx.data() + slots.first,

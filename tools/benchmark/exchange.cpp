@@ -49,7 +49,7 @@ Json bonds_json(const state::State& state) {
         if (bonds == nullptr) continue;
         json["i"] = bonds->i;
         json["j"] = bonds->j;
-        json["length"] = bonds->length;
+        json["length"] = bonds->length.spread(bonds->size());
         json["Kn"] = bonds->params.Kn;
         json["Kt"] = bonds->params.Kt;
     }
