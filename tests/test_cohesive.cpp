@@ -332,7 +332,7 @@ model::Scene shot_bar() {
 TEST_CASE("a cohesive beam shot to pieces keeps its ledger, and its state for any number of threads") {
     std::uint64_t reference = 0;
     for (const int threads : {1, 2, 3}) {
-        observe::Simulation sim(shot_bar(), threads);
+        observe::Simulation sim(shot_bar(), {threads, 1});
         double energy_at_start = 0.0;
         sim.run(4e-4, {test::watching(1e-4, [&](observe::Simulation& now) {
                     if (now.step() == 0) energy_at_start = now.ledger().kinetic;

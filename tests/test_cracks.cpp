@@ -232,7 +232,7 @@ TEST_CASE("the energies of broken bonds add up to the ledger's, the same for any
                                                   model::BondChoice(model::BrittleTensileBonds{settings}));
     std::string reference;
     for (const int threads : {1, 2, 3}) {
-        observe::Simulation sim(torn_strip(bonds), threads);
+        observe::Simulation sim(torn_strip(bonds), {threads, 1});
         REQUIRE(sim.bond_count() >= 1024); // shorter loops are not shared
         sim.run(4e-4, {});
         CHECK(sim.state().cracks.size() == sim.broken_bonds());

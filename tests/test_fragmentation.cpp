@@ -105,7 +105,7 @@ TEST_CASE("the final state is the same to the last bit for any number of threads
     const model::Network network = GENERATE(model::Network::contacts, model::Network::facets);
     std::uint64_t reference = 0;
     for (const int threads : {1, 2, 3}) {
-        observe::Simulation sim(shot_beam(rigid, true, network), threads);
+        observe::Simulation sim(shot_beam(rigid, true, network), {threads, 1});
         sim.run(4e-4, {});
         CHECK(sim.broken_bonds() > 50);
         if (threads == 1) reference = sim.hash();

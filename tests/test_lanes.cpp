@@ -24,8 +24,10 @@ std::vector<std::size_t> widths() {
 }
 
 /// All that moves, after `steps` steps of a block that is torn apart: it stretches, turns and hits its own pieces.
-std::vector<double> torn(const model::BondChoice& bonds, std::size_t width, int threads, int steps, bool facets) {
+std::vector<double> torn(const model::BondChoice& bonds, std::size_t width, int threads, int steps, bool facets,
+                         model::Precision precision = model::Precision::full) {
     model::Scene scene = test::scene_of(test::concrete());
+    scene.precision = precision;
     scene.bodies.push_back(test::block("block", {0.0, 0.0}, {0.6, 0.3}, 4e-3, bonds));
     if (facets) {
         model::Relaxation pack;
@@ -42,7 +44,7 @@ std::vector<double> torn(const model::BondChoice& bonds, std::size_t width, int 
         elements.vx[k] = 30.0 * std::sin(20.0 * at.x) - 60.0 * at.y;
         elements.vy[k] = 10.0 * std::cos(15.0 * at.x) + 60.0 * at.x;
     }
-    Team team(threads);
+    Team team({threads, 1});
     step::Stepper stepper(team, state, 0.2);
     stepper.kernels = &step::kernels_of(width);
     step::start(state, stepper);
@@ -83,6 +85,19 @@ TEST_CASE("every width and every number of threads moves a breaking body alike, 
                 CAPTURE(width);
                 CHECK(torn(law, width, width == 8 ? 3 : 1, 300, facets) == alone);
             }
+        }
+    }
+}
+
+TEST_CASE("every width moves a breaking body in mixed precision alike, to the last bit", "[lanes][mixed]") {
+    const model::BondChoice law = damped<model::PlateauBonds>(0.02);
+    for (const bool facets : {false, true}) {
+        CAPTURE(facets);
+        const std::vector<double> alone = torn(law, 1, 1, 300, facets, model::Precision::mixed);
+        CHECK(alone.back() > 100.0);
+        for (const std::size_t width : widths()) {
+            CAPTURE(width);
+            CHECK(torn(law, width, width == 8 ? 3 : 1, 300, facets, model::Precision::mixed) == alone);
         }
     }
 }

@@ -116,7 +116,7 @@ TEST_CASE("a heap of rigid clusters comes out alike on any number of threads and
     scene.walls.push_back(test::wall_along("box", {{-4.0 * R, 1.0}, {-4.0 * R, -R}, {95.0 * R, -R}, {95.0 * R, 1.0}}));
     std::vector<std::uint64_t> hashes;
     for (const int threads : {1, 2, 3}) {
-        observe::Simulation sim(scene, threads);
+        observe::Simulation sim(scene, {threads, 1});
         sim.run(0.1, {});
         hashes.push_back(sim.hash());
         CHECK(sim.contact_count() > 100);

@@ -172,7 +172,7 @@ TEST_CASE("a block drawn to pieces under strain rates keeps its ledger, with pai
         scene.motions.push_back(motion);
     }
     const auto drawn = [&](int threads) {
-        auto sim = std::make_unique<observe::Simulation>(scene, threads);
+        auto sim = std::make_unique<observe::Simulation>(scene, Threads{threads, 1});
         double most = 0.0;
         sim->run(6e-3, {test::watching(1e-4, [&](observe::Simulation& now) {
                      const observe::Ledger energy = now.ledger();

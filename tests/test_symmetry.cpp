@@ -167,7 +167,7 @@ TEST_CASE("a crack on a mirror line stays there, whatever numbers the elements h
     const std::size_t enough = facets ? 1 : 24;
     const auto drawn = [&](bool shuffled, int threads) {
         const std::vector<std::size_t> place = numbering(shuffled);
-        Simulation sim(drawn_strip(bonds, place, Signal{{0.0, over}, {0.0, 4e-5}}), threads);
+        Simulation sim(drawn_strip(bonds, place, Signal{{0.0, over}, {0.0, 4e-5}}), {threads, 1});
         sim.run(over, {test::watching(0.0, [&](Simulation& now) {
                     if (outcome_of(now, place).broken.size() >= enough) now.stop("enough is broken");
                 })});

@@ -74,7 +74,7 @@ TEST_CASE("a bed on a rough wall moves the same on any number of threads", "[wal
     std::vector<std::uint64_t> hashes;
     std::vector<double> forces;
     for (const int threads : {1, 2, 3}) {
-        observe::Simulation sim(over_teeth(), threads);
+        observe::Simulation sim(over_teeth(), {threads, 1});
         sim.run(0.03, {});
         CHECK(sim.state().wall_contacts.size() > 1024); // else the loop is not shared
         hashes.push_back(sim.hash());

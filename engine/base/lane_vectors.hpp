@@ -22,6 +22,7 @@ namespace demlua {
 template <std::size_t W>
 struct LaneTypes {
     typedef double Numbers __attribute__((vector_size(W * sizeof(double))));            // NOLINT(modernize-use-using)
+    typedef float Singles __attribute__((vector_size(W * sizeof(float))));              // NOLINT(modernize-use-using)
     typedef std::int64_t Truths __attribute__((vector_size(W * sizeof(std::int64_t)))); // NOLINT(modernize-use-using)
     typedef std::uint8_t Bytes __attribute__((vector_size(W)));                         // NOLINT(modernize-use-using)
     typedef Index Rows __attribute__((vector_size(W * sizeof(Index))));                 // NOLINT(modernize-use-using)
@@ -120,6 +121,23 @@ DEMLUA_INLINE Lanes<W> loaded(const double* from) {
 template <std::size_t W>
 DEMLUA_INLINE void store(double* to, Lanes<W> lanes) {
     std::memcpy(to, &lanes.v, sizeof lanes.v);
+}
+template <std::size_t W>
+DEMLUA_INLINE Lanes<W> loaded(const float* from) {
+    typename LaneTypes<W>::Singles singles;
+    std::memcpy(&singles, from, sizeof singles);
+    return Lanes<W>(__builtin_convertvector(singles, typename LaneTypes<W>::Numbers));
+}
+template <std::size_t W>
+DEMLUA_INLINE void store(float* to, Lanes<W> lanes) {
+    const auto singles = __builtin_convertvector(lanes.v, typename LaneTypes<W>::Singles);
+    std::memcpy(to, &singles, sizeof singles);
+}
+template <std::size_t W>
+DEMLUA_INLINE Lanes<W> picked(const float* from, const Index* rows) {
+    typename LaneTypes<W>::Singles singles;
+    for (std::size_t l = 0; l < W; ++l) singles[l] = from[rows[l]];
+    return Lanes<W>(__builtin_convertvector(singles, typename LaneTypes<W>::Numbers));
 }
 template <std::size_t W>
 DEMLUA_INLINE Lanes<W> picked(const double* from, const Index* rows) {

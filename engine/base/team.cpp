@@ -22,8 +22,8 @@ void await_change(const std::atomic<Value>& value, Value old) {
 
 } // namespace
 
-Team::Team(int threads) {
-    const auto others = static_cast<std::size_t>(std::max(threads, 1) - 1);
+Team::Team(Threads threads) : shortest_shared_loop_(threads.shortest_shared_loop) {
+    const auto others = static_cast<std::size_t>(std::max(threads.count, 1) - 1);
     taken_.store(static_cast<std::uint32_t>(parts_per_thread * (others + 1)), std::memory_order_relaxed);
     workers_.reserve(others);
     for (std::size_t k = 0; k < others; ++k) workers_.emplace_back([this] { work(); });

@@ -16,12 +16,21 @@ struct Share {
     std::size_t part;
 };
 
+/// How many threads, and from how many rows on a loop is shared among them: below, waking them costs more than it saves.
+struct Threads {
+    int count = 1;
+    std::size_t shortest_shared_loop = 4096;
+
+    Threads(int threads) : count(threads) {} // NOLINT(google-explicit-constructor)
+    Threads(int threads, std::size_t shortest) : count(threads), shortest_shared_loop(shortest) {}
+};
+
 /// Worker threads that live as long as the team. A loop body must write only what belongs to its own indices;
 /// anything gathered over indices is kept per part and joined in part order, which is index order. Parts are taken by
 /// whoever is free: a worker that the machine keeps busy elsewhere is not waited for, its parts go to the others.
 class Team {
 public:
-    explicit Team(int threads);
+    explicit Team(Threads threads);
     ~Team();
     Team(const Team&) = delete;
     Team& operator=(const Team&) = delete;
@@ -37,7 +46,7 @@ public:
     /// thread run on the caller as one part. A loop body must not throw.
     template <class Work>
     void share(std::size_t count, const Work& work) {
-        if (workers_.empty() || count < shortest_shared_loop) {
+        if (workers_.empty() || count < shortest_shared_loop_) {
             work(Share{0, count, 0});
             return;
         }
@@ -46,7 +55,6 @@ public:
 
 private:
     using Trampoline = void (*)(const void*, Share);
-    static constexpr std::size_t shortest_shared_loop = 1024;
     static constexpr std::size_t parts_per_thread = 2;
     static constexpr std::size_t grain = 64; ///< parts begin at multiples of it
 
@@ -55,6 +63,7 @@ private:
     bool take_part();
     void run_part(std::size_t part) const;
 
+    std::size_t shortest_shared_loop_;
     std::size_t count_ = 0;
     const void* context_ = nullptr;
     Trampoline call_ = nullptr;

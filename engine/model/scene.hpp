@@ -258,6 +258,9 @@ struct BondProbe {
     Place place;
 };
 
+/// How numbers are kept that a step reads.
+enum class Precision { full, mixed };
+
 enum class StepRule {
     sharp, ///< the assembly's highest frequency by iteration, never below it
     bound, ///< the sum of what each element feels while the others stand still, times two
@@ -294,6 +297,7 @@ struct Scene {
     double thickness = 1.0; ///< m
     Vec2 gravity;           ///< m/s^2
     StepRule time_step = StepRule::sharp;
+    Precision precision = Precision::full;
     double step_fraction = 0.8;     ///< of the critical time step
     double greatest_move = 0.2;     ///< share of its radius an element may move in a step
     std::optional<Vec2> periodic_x; ///< edges of a box that repeats along x, m

@@ -30,6 +30,10 @@ const Names& step_rule_names() {
     static const Names names{"sharp", "bound", "paper"};
     return names;
 }
+const Names& precision_names() {
+    static const Names names{"double", "mixed"};
+    return names;
+}
 const Names& row_names() {
     static const Names names{"horizontal", "vertical"};
     return names;
@@ -53,6 +57,9 @@ const WordOf<Scene>& simulation() {
             choice<&Scene::time_step, step_rule_names>(
                 "time_step",
                 R"(how the critical time step is found: "sharp" by iteration on the assembly, "bound" by a quick bound, "paper" by eq. 19 of Tavarez & Plesha 2007, refused where unstable)"),
+            choice<&Scene::precision, precision_names>(
+                "precision",
+                R"("double", or "mixed": what a step reads of bonds is kept in single precision, and is faster to read; elements, what bonds remember and all arithmetic stay double)"),
             row<&Scene::step_fraction>("step_fraction", "", optional, step_share,
                                        "share of the critical time step that is used"),
             row<&Scene::greatest_move>("greatest_move", "", optional, step_share,

@@ -22,7 +22,7 @@ struct Mean {
 
 double force_in_pairs(const state::State& state) {
     Mean mean;
-    const auto add = [&](const Column<double>& fx, const Column<double>& fy, std::size_t rows) {
+    const auto add = [&](const auto& fx, const auto& fy, std::size_t rows) {
         for (std::size_t k = 0; k < rows; ++k) {
             if (fx[k] != 0.0 || fy[k] != 0.0) mean.add(norm(Vec2{fx[k], fy[k]}));
         }

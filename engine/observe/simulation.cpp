@@ -51,7 +51,7 @@ int thread_count(int asked, std::size_t elements) {
     return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, useful);
 }
 
-Simulation::Simulation(const model::Scene& scene, int threads, const packing::PackStore* packs) {
+Simulation::Simulation(const model::Scene& scene, Threads threads, const packing::PackStore* packs) {
     state::Assembly assembly = state::assemble(scene, packs);
     state_ = std::make_unique<state::State>(std::move(assembly.state));
     for (std::string& warning : warnings(scene, *state_)) assembly.notes.push_back(std::move(warning));

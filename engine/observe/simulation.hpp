@@ -53,7 +53,7 @@ class Simulation {
 public:
     /// Packs, bonds and checks the scene. `threads` 0: as many as there are processors and work for. Throws SceneError with every problem that only the packed scene shows.
     /// `packs` may keep packs from run to run; it is asked only here.
-    Simulation(const model::Scene& scene, int threads, const packing::PackStore* packs = nullptr);
+    Simulation(const model::Scene& scene, Threads threads, const packing::PackStore* packs = nullptr);
     ~Simulation();
     Simulation(const Simulation&) = delete;
     Simulation& operator=(const Simulation&) = delete;

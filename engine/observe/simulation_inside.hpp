@@ -48,9 +48,9 @@ struct Simulation::Inside {
     bool stopping = false;
     std::string stop_reason;
 
-    Inside(const model::Scene& said, int threads, const state::State& state, std::vector<std::string> facts)
-        : scene(said), team(thread_count(threads, state.elements.size())), stepper(team, state, said.greatest_move),
-          notes(std::move(facts)) {
+    Inside(const model::Scene& said, Threads threads, const state::State& state, std::vector<std::string> facts)
+        : scene(said), team({thread_count(threads.count, state.elements.size()), threads.shortest_shared_loop}),
+          stepper(team, state, said.greatest_move), notes(std::move(facts)) {
         stepper.domain = said.domain;
     }
 };

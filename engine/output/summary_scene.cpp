@@ -160,6 +160,7 @@ std::string inputs_json(const model::Scene& scene, const observe::Simulation& si
     json["gravity"] = pair_json(scene.gravity);
     json["time_step"] = name_of(scene.time_step);
     json["step_fraction"] = scene.step_fraction;
+    json["precision"] = scene.precision == model::Precision::full ? "double" : "mixed";
     json["seeds"] = seeds_json(scene);
     json["materials"] = Json::array();
     for (const auto& material : scene.materials) json["materials"].push_back(material_json(material));

@@ -239,6 +239,7 @@ Assembly assemble(const model::Scene& scene, const packing::PackStore* packs) {
     Assembly assembly;
     State& state = assembly.state;
     state.thickness = scene.thickness;
+    state.mixed_precision = scene.precision == model::Precision::mixed;
     state.gravity = scene.gravity;
     if (scene.periodic_x) state.period = {scene.periodic_x->x, scene.periodic_x->y - scene.periodic_x->x};
     lay_out_materials(scene, state);

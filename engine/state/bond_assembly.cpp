@@ -66,14 +66,10 @@ void lay_out(BondTable<Law>& bonds, const State& state, const std::vector<bondin
         bonds.radius.push_back(0.5 * (elements.radius[i] + elements.radius[j]));
     }
     bonds.history.resize(pairs.size());
-    for (Column<double>* column : {&bonds.fx, &bonds.fy, &bonds.moment_i, &bonds.moment_j}) {
+    for (NumberColumn* column : {&bonds.fx, &bonds.fy, &bonds.moment_i, &bonds.moment_j}) {
         column->resize(pairs.size() + 1);
     }
-    if constexpr (Law::breaks) {
-        bonds.broken.resize(pairs.size());
-        bonds.contact_length.resize(pairs.size());
-        bonds.break_time.assign(pairs.size(), std::numeric_limits<double>::infinity());
-    }
+    if constexpr (Law::breaks) bonds.broken.resize(pairs.size());
     bonds.slots = slots_of(bonds.i, bonds.j, body.first, body.size());
 }
 
@@ -118,7 +114,8 @@ template <class Law>
 void leave_cells(BondSet<Law>& /*bonds*/, std::size_t /*k*/) {}
 template <class Law>
 void leave_cells(FacetSet<Law>& bonds, std::size_t k) {
-    bonds.grown_i[k] = bonds.grown_j[k] = 0.0;
+    bonds.grown_i.set(k, 0.0);
+    bonds.grown_j.set(k, 0.0);
 }
 
 template <class Law>
@@ -134,7 +131,7 @@ FacetSet<Law> facets_of(const State& state, const BondedBody& said, double dampi
     bonds.tractions = tractions;
     bonds.body = said.body;
     lay_out(bonds, state, neighbours(cells));
-    fill_facets(bonds, network, moduli, state.thickness);
+    fill_facets(bonds, network, moduli, state.thickness, state.mixed_precision);
     if (damping > 0.0) add_dashpots(bonds, state.elements, damping);
     return bonds;
 }
@@ -143,10 +140,10 @@ FacetSet<Law> facets_of(const State& state, const BondedBody& said, double dampi
 template <class Law>
 void even_out(BondSet<Law>& bonds) {
     constexpr double rounding = 1e-13;
-    for (EvenColumn* column : {&bonds.length, &bonds.inverse_length, &bonds.share_i, &bonds.radius}) {
+    for (NumberColumn* column : {&bonds.length, &bonds.inverse_length, &bonds.share_i, &bonds.radius}) {
         column->even_out(rounding);
     }
-    if (bonds.share_i.even() && bonds.share_i[0] == 0.5) bonds.moment_j = {};
+    if (bonds.share_i.even() && bonds.share_i[0] == 0.5) bonds.moment_j.clear();
 }
 
 template <class Law>
@@ -157,6 +154,7 @@ BondSet<Law> pairs_of(const State& state, const BondedBody& said, double damping
     bonds.body = said.body;
     lay_out(bonds, state, pairs);
     even_out(bonds);
+    if (state.mixed_precision) bonds.keep_single();
     if (damping > 0.0) add_dashpots(bonds, state.elements, damping);
     return bonds;
 }
@@ -255,12 +253,9 @@ std::size_t cut(State& state, std::size_t body, Vec2 from, Vec2 to) {
                         Crack crack = crack_of(bonds, state.elements, k, state.time, state.step);
                         crack.mode = CrackMode::notch;
                         state.cracks.push_back(crack);
-                        bonds.broken[k] = 1;
                         free_wall(bonds, k);
                         leave_cells(bonds, k);
-                        bonds.let_go_of_force(k);
-                        bonds.contact_length[k] = std::min(bonds.length[k], touch);
-                        ++bonds.broken_count;
+                        bonds.note_break(k, std::numeric_limits<double>::infinity(), std::min(norm(b - a), touch));
                         ++count;
                     }
                 }

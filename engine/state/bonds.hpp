@@ -2,12 +2,13 @@
 #pragma once
 
 #include "engine/base/column.hpp"
-#include "engine/base/even_column.hpp"
+#include "engine/base/number_column.hpp"
 #include "engine/law/facet.hpp"
 #include "engine/law/laws.hpp"
 #include "engine/state/history.hpp"
 #include "engine/state/pair_slots.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -36,32 +37,52 @@ struct BondTable {
 
     std::size_t body = 0;
 
-    Column<Index> i, j;        ///< rows of elements, i < j
-    Column<double> Dx, Dy;     ///< from i to j at bonding, m
-    EvenColumn length;         ///< of D, m
-    EvenColumn inverse_length; ///< 1/m
-    EvenColumn share_i;        ///< of the length that belongs to i
-    EvenColumn radius;         ///< mean of the two, m
+    Column<Index> i, j;          ///< rows of elements, i < j
+    NumberColumn Dx, Dy;         ///< from i to j at bonding, m
+    NumberColumn length;         ///< of D, m
+    NumberColumn inverse_length; ///< 1/m
+    NumberColumn share_i;        ///< of the length that belongs to i
+    NumberColumn radius;         ///< mean of the two, m
     HistoryColumns<History> history;
     bool remembers = false; ///< whether any row of `history` may be other than zero
     BondDashpots dashpots;
 
-    Column<double> fx, fy;             ///< on i; on j the opposite, N; a row of zeros after the last, for `slots`
-    Column<double> moment_i, moment_j; ///< N m; likewise. moment_j is empty where it is moment_i throughout
+    NumberColumn fx, fy;             ///< on i; on j the opposite, N; a row of zeros after the last, for `slots`
+    NumberColumn moment_i, moment_j; ///< N m; likewise. moment_j is empty where it is moment_i throughout
 
     // only for laws that break
     Column<std::uint8_t> broken;
-    Column<double> contact_length; ///< reference length of the contact a broken bond leaves, m
-    Column<double> break_time;     ///< s; infinite for a bond cut before the start
-    double fracture_work = 0.0;    ///< stored in bonds when they broke, J
+    Column<double>
+        contact_length;         ///< reference length of the contact a broken bond leaves, m; empty while none is broken
+    Column<double> break_time;  ///< s; infinite for a bond cut before the start; empty while none is broken
+    double fracture_work = 0.0; ///< stored in bonds when they broke, J
     std::size_t broken_count = 0;
 
     PairSlots slots;
 
     [[nodiscard]] std::size_t size() const { return i.size(); }
-    [[nodiscard]] const Column<double>& moments_of_j() const { return moment_j.empty() ? moment_i : moment_j; }
-    [[nodiscard]] Column<double>& moments_of_j() { return moment_j.empty() ? moment_i : moment_j; }
-    void let_go_of_force(std::size_t bond) { fx[bond] = fy[bond] = moment_i[bond] = moments_of_j()[bond] = 0.0; }
+    [[nodiscard]] const NumberColumn& moments_of_j() const { return moment_j.empty() ? moment_i : moment_j; }
+    [[nodiscard]] NumberColumn& moments_of_j() { return moment_j.empty() ? moment_i : moment_j; }
+    void let_go_of_force(std::size_t bond) {
+        for (NumberColumn* column : {&fx, &fy, &moment_i, &moments_of_j()}) column->set(bond, 0.0);
+    }
+    /// Marks `bond` as broken at `when`; the contact it leaves has the reference length `reference`.
+    void note_break(std::size_t bond, double when, double reference) {
+        contact_length.resize(size());
+        break_time.resize(size(), std::numeric_limits<double>::infinity());
+        broken[bond] = 1;
+        ++broken_count;
+        contact_length[bond] = reference;
+        break_time[bond] = when;
+        let_go_of_force(bond);
+    }
+    /// What a row is read for at every step, in single precision from now on: all but what bonds remember.
+    void keep_single() {
+        for (NumberColumn* column :
+             {&Dx, &Dy, &length, &inverse_length, &share_i, &radius, &fx, &fy, &moment_i, &moment_j}) {
+            if (!column->even()) column->keep_single();
+        }
+    }
     void remember(std::size_t bond, const History& past) {
         history.store(bond, past);
         remembers = true;
@@ -80,10 +101,10 @@ struct BondSet : BondTable<Law> {
 
 /// Motions of bonds (law/bond_motion.hpp), in columns.
 struct MotionColumns {
-    Column<double> inverse_length, normal_x, normal_y, stretch, shear;
+    NumberColumn inverse_length, normal_x, normal_y, stretch, shear;
 
-    void resize(std::size_t rows) {
-        for (Column<double>* column : {&inverse_length, &normal_x, &normal_y, &stretch, &shear}) column->resize(rows);
+    [[nodiscard]] std::array<NumberColumn*, 5> all() {
+        return {&inverse_length, &normal_x, &normal_y, &stretch, &shear};
     }
     [[nodiscard]] law::BondMotion<double> operator[](std::size_t k) const {
         return {inverse_length[k], {normal_x[k], normal_y[k]}, stretch[k], shear[k]};
@@ -97,21 +118,27 @@ struct FacetSet : BondTable<Law> {
     Column<std::uint8_t> walled; ///< 1 where a facet ends on a free wall; where none does, area and centre say it all
     StructColumns<law::FacetSprings<double>> springs;
     StructColumns<law::FacetVector<double>> growth_i, growth_j; ///< of the cells of i and j with q
-    Column<double> area;                                        ///< of the facet, m
-    Column<double> centre;                                      ///< of the facet, from the bond's line along t, m
+    NumberColumn area;                                          ///< of the facet, m
+    NumberColumn centre;                                        ///< of the facet, from the bond's line along t, m
     double twice_shear = 0.0;                                   ///< 2G b of the body, N/m
     Column<double> pressure_per_growth; ///< b lam/V of each cell, N/m^3; rows from the body's first element on
 
     // as computed in the first of the two passes of a step
     MotionColumns motion;
-    Column<double> grown_i, grown_j; ///< growth_i.q, growth_j.q, m^2; a row of zeros after the last, for `slots`
-    Column<double> pressure;         ///< p of each cell, N/m
+    NumberColumn grown_i, grown_j; ///< growth_i.q, growth_j.q, m^2; a row of zeros after the last, for `slots`
+    Column<double> pressure;       ///< p of each cell, N/m
 
     // only for laws that break
     Column<double> normal, shear;               ///< forces at this instant, dashpots left out, N
     Column<double> normal_before, shear_before; ///< at the instant before
     Column<std::uint8_t> suspect;               ///< rows that may yield or break at this instant
     Column<law::ContactStiffness> yielding;     ///< what a facet meets that yields with all its neighbours, N/m
+
+    void keep_single() {
+        BondTable<Law>::keep_single();
+        for (NumberColumn* column : {&area, &centre, &grown_i, &grown_j}) column->keep_single();
+        for (NumberColumn* column : motion.all()) column->keep_single();
+    }
 };
 
 using AnyBondSet = law::ForEachBondLaw<BondSet, FacetSet, std::variant>;

@@ -35,10 +35,25 @@ void find_yielding_stiffness(FacetSet<Law>& bonds) {
     for (std::size_t k = 0; k < bonds.size(); ++k) bonds.yielding.push_back(row_stiffness(bonds, grown, k));
 }
 
-/// Fills the columns of facets for bonds that have been laid out in the network's order. `thickness` in m.
+/// To the last bit what loops make of area and centre, so that it does not matter which of the two they take.
+template <class Law>
+void fill_springs(FacetSet<Law>& bonds) {
+    for (std::size_t k = 0; k < bonds.size(); ++k) {
+        if (bonds.walled[k] != 0) continue;
+        const double A = bonds.area[k];
+        const double c = bonds.centre[k];
+        const double per_length = bonds.inverse_length[k];
+        bonds.springs.store(k, law::facet_springs(bonds.twice_shear, A, c, per_length));
+        bonds.growth_i.store(k, law::growth_of_i(A, c, per_length, bonds.share_i[k]));
+        bonds.growth_j.store(k, law::growth_of_j(A, c, per_length, bonds.share_i[k]));
+    }
+}
+
+/// Fills the columns of facets for bonds that have been laid out in the network's order. `thickness` in m; `single`: in
+/// single precision.
 template <class Law>
 void fill_facets(FacetSet<Law>& bonds, const bonding::FacetNetwork& network, const law::FacetModuli& moduli,
-                 double thickness) {
+                 double thickness, bool single) {
     bonds.twice_shear = thickness * moduli.twice_shear;
     for (std::size_t k = 0; k < network.bonds.size(); ++k) {
         const bonding::FacetBond& bond = network.bonds[k];
@@ -49,20 +64,15 @@ void fill_facets(FacetSet<Law>& bonds, const bonding::FacetNetwork& network, con
         bonds.springs.push_back(bond.springs);
         bonds.growth_i.push_back(bond.growth_i);
         bonds.growth_j.push_back(bond.growth_j);
-        if (bond.walled) continue;
-        // To the last bit what loops make of area and centre, so that it does not matter which of the two they take.
-        const double A = bonds.area[k];
-        const double c = bonds.centre[k];
-        bonds.springs.store(k, law::facet_springs(bonds.twice_shear, A, c, bonds.inverse_length[k]));
-        bonds.growth_i.store(k, law::growth_of_i(A, c, bonds.inverse_length[k], bond.share_i));
-        bonds.growth_j.store(k, law::growth_of_j(A, c, bonds.inverse_length[k], bond.share_i));
     }
     for (const double volume : network.volume) {
         bonds.pressure_per_growth.push_back(volume > 0.0 ? thickness * moduli.lame / volume : 0.0);
     }
-    bonds.motion.resize(bonds.size());
+    for (NumberColumn* column : bonds.motion.all()) column->resize(bonds.size());
     bonds.grown_i.resize(bonds.size() + 1);
     bonds.grown_j.resize(bonds.size() + 1);
+    if (single) bonds.keep_single();
+    fill_springs(bonds);
     bonds.pressure.resize(network.volume.size());
     if constexpr (Law::breaks) {
         find_yielding_stiffness(bonds);

@@ -120,7 +120,8 @@ struct State {
     Column<std::uint8_t> gone;               ///< 1 for elements taken out; empty where nothing can leave
     std::optional<std::size_t> holding_gone; ///< first of three drives that hold these still
 
-    double thickness = 1.0; ///< m
+    double thickness = 1.0;       ///< m
+    bool mixed_precision = false; ///< whether bonds keep in single precision what steps read
     Period period;
     Vec2 gravity;       ///< m/s^2
     double alpha = 0.0; ///< mass-proportional damping, 1/s

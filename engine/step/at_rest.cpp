@@ -16,9 +16,10 @@ void refuse(const RestAsked& asked, const std::string& rule, const std::string& 
 }
 
 std::string pressed_contact(const state::State& state) {
+    constexpr double rounding = 1e-9; // of the distance
     const state::Contacts& contacts = state.contacts;
     for (std::size_t c = 0; c < contacts.size(); ++c) {
-        if (state.overlap(c) <= 0.0) continue;
+        if (state.overlap(c) <= rounding * contacts.reference[c]) continue;
         return fmt::format("elements {} and {} press on each other", contacts.i[c], contacts.j[c]);
     }
     return "";

@@ -26,13 +26,12 @@ struct BondRows {
 
     typename Law::Params params;
     const Index *i, *j;
-    const double *Dx, *Dy;
-    EvenRows length, inverse_length, share_i, radius;
+    NumberRows Dx, Dy, length, inverse_length, share_i, radius;
     std::array<double*, History::members.size()> history;
     bool remembers; ///< whether `history` may be other than zero
     const double *Cn, *Ct;
     double *dashpot_normal, *dashpot_shear, *spent;
-    double *fx, *fy, *moment_i, *moment_j;
+    NumberTargets fx, fy, moment_i, moment_j;
     std::uint8_t* broken;
 };
 
@@ -46,8 +45,8 @@ BondRows<Law> rows_of(state::BondSet<Law>& bonds) {
     BondRows<Law> rows{bonds.params,
                        bonds.i.data(),
                        bonds.j.data(),
-                       bonds.Dx.data(),
-                       bonds.Dy.data(),
+                       bonds.Dx.rows(),
+                       bonds.Dy.rows(),
                        bonds.length.rows(),
                        bonds.inverse_length.rows(),
                        bonds.share_i.rows(),
@@ -59,10 +58,10 @@ BondRows<Law> rows_of(state::BondSet<Law>& bonds) {
                        bonds.dashpots.normal.data(),
                        bonds.dashpots.shear.data(),
                        bonds.dashpots.spent.data(),
-                       bonds.fx.data(),
-                       bonds.fy.data(),
-                       bonds.moment_i.data(),
-                       bonds.moments_of_j().data(),
+                       bonds.fx.targets(),
+                       bonds.fy.targets(),
+                       bonds.moment_i.targets(),
+                       bonds.moments_of_j().targets(),
                        bonds.broken.data()};
     for (std::size_t m = 0; m < rows.history.size(); ++m) rows.history[m] = bonds.history.columns[m].data();
     return rows;
@@ -132,10 +131,10 @@ template <class Lane, class Rows, class T>
 DEMLUA_INLINE void put_force(const Rows& bonds, std::size_t k, Vector2<T> n, T inverse_d, T normal, T couple,
                              T moment_i, T moment_j) {
     const Vector2<T> f = normal * n + (couple * inverse_d) * turned_left(n);
-    Lane::store(bonds.fx + k, f.x);
-    Lane::store(bonds.fy + k, f.y);
-    Lane::store(bonds.moment_i + k, moment_i);
-    Lane::store(bonds.moment_j + k, moment_j);
+    bonds.fx.template store<Lane>(k, f.x);
+    bonds.fy.template store<Lane>(k, f.y);
+    bonds.moment_i.template store<Lane>(k, moment_i);
+    bonds.moment_j.template store<Lane>(k, moment_j);
 }
 
 /// Motions of a few rows, which stay in the nearest memory between the two loops of a kernel.
@@ -151,7 +150,7 @@ void measure(const BondRows<Law>& bonds, const ElementRows& elements, std::size_
     for (std::size_t k = begin; k < end; k += Lane::width) {
         const typename Lane::Picked i(bonds.i + k);
         const typename Lane::Picked j(bonds.j + k);
-        const Vector2<T> D{Lane::load(bonds.Dx + k), Lane::load(bonds.Dy + k)};
+        const Vector2<T> D{bonds.Dx.template load<Lane>(k), bonds.Dy.template load<Lane>(k)};
         const law::BondMotion<T> motion =
             motions<Lane>(elements, i, j, D, bonds.length.template load<Lane>(k),
                           bonds.inverse_length.template load<Lane>(k), bonds.share_i.template load<Lane>(k));
@@ -233,7 +232,9 @@ struct OneLane {
     static constexpr std::size_t width = 1;
 
     static double load(const double* from) { return *from; }
+    static double load(const float* from) { return static_cast<double>(*from); }
     static void store(double* to, double value) { *to = value; }
+    static void store(float* to, double value) { *to = static_cast<float>(value); }
     using Record = std::array<double, 8>;
     static Record pick_records(const double* records, const Index* rows) {
         Record record;
@@ -247,6 +248,7 @@ struct OneLane {
         Index row;
         explicit Picked(const Index* rows) : row(*rows) {}
         [[nodiscard]] double of(const double* column) const { return column[row]; }
+        [[nodiscard]] double of(const float* column) const { return static_cast<double>(column[row]); }
     };
 
     /// Which rows hold; all of them where there is no mark.

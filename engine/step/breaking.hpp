@@ -93,11 +93,7 @@ void settle_broken(state::State& state, Bonds& bonds, const std::vector<Index>& 
             crack.energy = plastic_work(bonds, k) + lost;
             state.cracks.push_back(crack);
             let_go_of_dashpots(bonds, k, rate, state.dt);
-            bonds.broken[k] = 1;
-            ++bonds.broken_count;
-            bonds.contact_length[k] = reference;
-            bonds.break_time[k] = state.time;
-            bonds.let_go_of_force(k);
+            bonds.note_break(k, state.time, reference);
             contacts.push_back(left);
         }
     }

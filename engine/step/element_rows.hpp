@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/base/lanes.hpp"
+#include "engine/base/number_column.hpp"
 #include "engine/state/pair_slots.hpp"
 
 #include <cstddef>
@@ -10,9 +11,9 @@ namespace demlua::step {
 
 /// Forces in pairs, and where each element finds its own.
 struct PairSums {
-    const double *fx, *fy, *moment_i, *moment_j; ///< with a row of zeros after the last
-    const Index *start, *row;                    ///< of state::PairSlots
-    double *sum_x, *sum_y, *sum_moment;          ///< of the slots' first element
+    NumberRows fx, fy, moment_i, moment_j; ///< with a row of zeros where no pair is
+    const Index *start, *row;              ///< of state::PairSlots
+    double *sum_x, *sum_y, *sum_moment;    ///< of the slots' first element
 };
 
 /// Adds the forces of pairs to elements [begin, end), counted from the slots' first.
@@ -30,15 +31,15 @@ void sum_pairs(const PairSums& sums, std::size_t begin, std::size_t end) {
         T moment = Lane::load(sums.sum_moment + e);
         for (Index slot = start[0]; slot < start[1]; ++slot) {
             const typename Lane::Picked pair(sums.row + block * slot + e % block);
-            fx += pair.of(sums.fx);
-            fy += pair.of(sums.fy);
-            moment += pair.of(sums.moment_i);
+            fx += sums.fx.pick(pair);
+            fy += sums.fy.pick(pair);
+            moment += sums.moment_i.pick(pair);
         }
         for (Index slot = start[1]; slot < start[2]; ++slot) {
             const typename Lane::Picked pair(sums.row + block * slot + e % block);
-            fx -= pair.of(sums.fx);
-            fy -= pair.of(sums.fy);
-            moment += pair.of(sums.moment_j);
+            fx -= sums.fx.pick(pair);
+            fy -= sums.fy.pick(pair);
+            moment += sums.moment_j.pick(pair);
         }
         Lane::store(sums.sum_x + e, fx);
         Lane::store(sums.sum_y + e, fy);

@@ -64,8 +64,8 @@ typename Law::Params params_of(const state::FacetSet<Law>& bonds, std::size_t k)
 template <class Law>
 void grow_cell_sides(state::FacetSet<Law>& bonds, const state::Elements& elements, std::size_t k) {
     const law::FacetVector<double> q = strained(bonds, elements, k);
-    bonds.grown_i[k] = dot(bonds.growth_i[k], q);
-    bonds.grown_j[k] = dot(bonds.growth_j[k], q);
+    bonds.grown_i.set(k, dot(bonds.growth_i[k], q));
+    bonds.grown_j.set(k, dot(bonds.growth_j[k], q));
 }
 
 template <class Law>
@@ -73,14 +73,14 @@ FacetRows rows_of(state::FacetSet<Law>& bonds) {
     FacetRows rows{};
     rows.i = bonds.i.data();
     rows.j = bonds.j.data();
-    rows.Dx = bonds.Dx.data();
-    rows.Dy = bonds.Dy.data();
-    rows.length = bonds.length.rows().column;
-    rows.inverse_length = bonds.inverse_length.rows().column;
-    rows.share_i = bonds.share_i.rows().column;
+    rows.Dx = bonds.Dx.rows();
+    rows.Dy = bonds.Dy.rows();
+    rows.length = bonds.length.rows();
+    rows.inverse_length = bonds.inverse_length.rows();
+    rows.share_i = bonds.share_i.rows();
     rows.twice_shear = bonds.twice_shear;
-    rows.area = bonds.area.data();
-    rows.centre = bonds.centre.data();
+    rows.area = bonds.area.rows();
+    rows.centre = bonds.centre.rows();
     rows.walled = bonds.walled.data();
     rows.springs = bonds.springs.begins();
     rows.growth_i = bonds.growth_i.begins();
@@ -92,23 +92,23 @@ FacetRows rows_of(state::FacetSet<Law>& bonds) {
             rows.plastic_shear = bonds.history.template column<&History::shear>().data();
         }
     }
-    rows.inverse_d = bonds.motion.inverse_length.data();
-    rows.normal_x = bonds.motion.normal_x.data();
-    rows.normal_y = bonds.motion.normal_y.data();
-    rows.stretch = bonds.motion.stretch.data();
-    rows.shift = bonds.motion.shear.data();
-    rows.grown_i = bonds.grown_i.data();
-    rows.grown_j = bonds.grown_j.data();
+    rows.inverse_d = bonds.motion.inverse_length.targets();
+    rows.normal_x = bonds.motion.normal_x.targets();
+    rows.normal_y = bonds.motion.normal_y.targets();
+    rows.stretch = bonds.motion.stretch.targets();
+    rows.shift = bonds.motion.shear.targets();
+    rows.grown_i = bonds.grown_i.targets();
+    rows.grown_j = bonds.grown_j.targets();
     rows.pressure = bonds.pressure.data() - bonds.slots.first;
     rows.Cn = bonds.dashpots.Cn.data();
     rows.Ct = bonds.dashpots.Ct.data();
     rows.dashpot_normal = bonds.dashpots.normal.data();
     rows.dashpot_shear = bonds.dashpots.shear.data();
     rows.spent = bonds.dashpots.spent.data();
-    rows.fx = bonds.fx.data();
-    rows.fy = bonds.fy.data();
-    rows.moment_i = bonds.moment_i.data();
-    rows.moment_j = bonds.moment_j.data();
+    rows.fx = bonds.fx.targets();
+    rows.fy = bonds.fy.targets();
+    rows.moment_i = bonds.moment_i.targets();
+    rows.moment_j = bonds.moment_j.targets();
     if constexpr (Law::breaks) {
         rows.normal = bonds.normal.data();
         rows.shear = bonds.shear.data();
@@ -129,8 +129,8 @@ void measure_facets(state::FacetSet<Law>& bonds, const state::Elements& elements
 
 template <class Law>
 CellRows cells_of(state::FacetSet<Law>& bonds) {
-    return {bonds.grown_i.data(),
-            bonds.grown_j.data(),
+    return {bonds.grown_i.rows(),
+            bonds.grown_j.rows(),
             bonds.slots.start.data(),
             bonds.slots.row.data(),
             bonds.pressure_per_growth.data(),
@@ -168,9 +168,8 @@ struct Failing {
 
 template <class Law>
 SuspectRows<Law> suspects_of(state::FacetSet<Law>& bonds) {
-    return {bonds.tractions,     bonds.normal.data(),        bonds.shear.data(),
-            bonds.area.data(),   bonds.radius.rows().column, bonds.history.begins(),
-            bonds.broken.data(), bonds.suspect.data()};
+    return {bonds.tractions,     bonds.normal.data(),    bonds.shear.data(),  bonds.area.rows(),
+            bonds.radius.rows(), bonds.history.begins(), bonds.broken.data(), bonds.suspect.data()};
 }
 
 /// What facet `k`, under the forces of this instant, can no longer bear; nothing if it holds as it is.
@@ -310,7 +309,8 @@ double let_go(state::FacetSet<Law>& bonds, const state::Elements& elements, std:
         stiff[side] = bonds.pressure_per_growth[e];
         pressure[side] = bonds.pressure[e];
     }
-    bonds.grown_i[k] = bonds.grown_j[k] = 0.0;
+    bonds.grown_i.set(k, 0.0);
+    bonds.grown_j.set(k, 0.0);
     state::free_wall(bonds, k);
     for (std::size_t side = 0; side < 2; ++side) {
         if (stiff[side] == 0.0) continue;

@@ -18,20 +18,20 @@ namespace demlua::step {
 /// forces kept and marks of laws that do not break, dashpots.
 struct FacetRows {
     const Index *i, *j;
-    const double *Dx, *Dy, *length, *inverse_length, *share_i;
+    NumberRows Dx, Dy, length, inverse_length, share_i;
     double twice_shear; ///< 2G b, N/m
-    const double *area, *centre;
+    NumberRows area, centre;
     const std::uint8_t* walled;
     std::array<const double*, 6> springs; ///< these and the next are read for walled rows only
     std::array<const double*, 3> growth_i, growth_j;
     const double *plastic_stretch, *plastic_shear;
-    double *inverse_d, *normal_x, *normal_y, *stretch, *shift;
-    double *grown_i, *grown_j;
+    NumberTargets inverse_d, normal_x, normal_y, stretch, shift;
+    NumberTargets grown_i, grown_j;
     const double* pressure; ///< of the cell of element 0, were it one of this body's
     double *normal, *shear;
     const double *Cn, *Ct;
     double *dashpot_normal, *dashpot_shear, *spent;
-    double *fx, *fy, *moment_i, *moment_j;
+    NumberTargets fx, fy, moment_i, moment_j;
     const std::uint8_t* broken;
 };
 
@@ -45,8 +45,8 @@ using FacetKernel = void (*)(const FacetRows& rows, const ElementRows& elements,
 
 /// Where each cell finds the growth of its sides.
 struct CellRows {
-    const double *grown_i, *grown_j; ///< with a row of zeros after the last
-    const Index *start, *row;        ///< of state::PairSlots
+    NumberRows grown_i, grown_j; ///< with a row of zeros after the last
+    const Index *start, *row;    ///< of state::PairSlots
     const double* pressure_per_growth;
     double* pressure;
 };
@@ -69,10 +69,10 @@ DEMLUA_INLINE FacetParts<typename Lane::Number> parts_of(const FacetRows& rows, 
                 loaded_members<Lane, law::FacetVector<T>>(rows.growth_i, k),
                 loaded_members<Lane, law::FacetVector<T>>(rows.growth_j, k)};
     }
-    const T area = Lane::load(rows.area + k);
-    const T centre = Lane::load(rows.centre + k);
-    const T per_length = Lane::load(rows.inverse_length + k);
-    const T s = Lane::load(rows.share_i + k);
+    const T area = rows.area.template load<Lane>(k);
+    const T centre = rows.centre.template load<Lane>(k);
+    const T per_length = rows.inverse_length.template load<Lane>(k);
+    const T s = rows.share_i.template load<Lane>(k);
     return {law::facet_springs(rows.twice_shear, area, centre, per_length),
             law::growth_of_i(area, centre, per_length, s), law::growth_of_j(area, centre, per_length, s)};
 }
@@ -95,20 +95,20 @@ void measure_facets(const FacetRows& rows, const ElementRows& elements, std::siz
         if (held.none()) continue;
         const typename Lane::Picked i(rows.i + k);
         const typename Lane::Picked j(rows.j + k);
-        const Vector2<T> D{Lane::load(rows.Dx + k), Lane::load(rows.Dy + k)};
+        const Vector2<T> D{rows.Dx.template load<Lane>(k), rows.Dy.template load<Lane>(k)};
         const law::BondMotion<T> motion =
-            motions<Lane>(elements, i, j, D, Lane::load(rows.length + k), Lane::load(rows.inverse_length + k),
-                          Lane::load(rows.share_i + k));
+            motions<Lane>(elements, i, j, D, rows.length.template load<Lane>(k),
+                          rows.inverse_length.template load<Lane>(k), rows.share_i.template load<Lane>(k));
         const Vector q = elastic_part<Lane>(rows, k, motion.stretch, motion.shear,
                                             j.of(elements.rotation) - i.of(elements.rotation));
-        Lane::store(rows.inverse_d + k, motion.inverse_length);
-        Lane::store(rows.normal_x + k, motion.normal.x);
-        Lane::store(rows.normal_y + k, motion.normal.y);
-        Lane::store(rows.stretch + k, motion.stretch);
-        Lane::store(rows.shift + k, motion.shear);
+        rows.inverse_d.template store<Lane>(k, motion.inverse_length);
+        rows.normal_x.template store<Lane>(k, motion.normal.x);
+        rows.normal_y.template store<Lane>(k, motion.normal.y);
+        rows.stretch.template store<Lane>(k, motion.stretch);
+        rows.shift.template store<Lane>(k, motion.shear);
         const FacetParts<T> parts = parts_of<Lane>(rows, k);
-        Lane::store(rows.grown_i + k, held(dot(parts.growth_i, q)));
-        Lane::store(rows.grown_j + k, held(dot(parts.growth_j, q)));
+        rows.grown_i.template store<Lane>(k, held(dot(parts.growth_i, q)));
+        rows.grown_j.template store<Lane>(k, held(dot(parts.growth_j, q)));
     }
 }
 
@@ -120,10 +120,10 @@ void press_cells(const CellRows& cells, std::size_t begin, std::size_t end) {
         T grown{};
         const Index* start = cells.start + 2 * (e / block);
         for (Index slot = start[0]; slot < start[1]; ++slot) {
-            grown += typename Lane::Picked(cells.row + block * slot + e % block).of(cells.grown_i);
+            grown += cells.grown_i.pick(typename Lane::Picked(cells.row + block * slot + e % block));
         }
         for (Index slot = start[1]; slot < start[2]; ++slot) {
-            grown += typename Lane::Picked(cells.row + block * slot + e % block).of(cells.grown_j);
+            grown += cells.grown_j.pick(typename Lane::Picked(cells.row + block * slot + e % block));
         }
         Lane::store(cells.pressure + e, Lane::load(cells.pressure_per_growth + e) * grown);
     }
@@ -137,9 +137,10 @@ void facet_dashpots(const FacetRows& rows, const ElementRows& elements, double d
         if (held.none()) continue;
         const typename Lane::Picked i(rows.i + k);
         const typename Lane::Picked j(rows.j + k);
-        const Vector2<T> n{Lane::load(rows.normal_x + k), Lane::load(rows.normal_y + k)};
-        const law::BondForce<T> rate = rates<Lane>(elements, i, j, n, Lane::load(rows.inverse_d + k),
-                                                   Lane::load(rows.length + k), Lane::load(rows.share_i + k));
+        const Vector2<T> n{rows.normal_x.template load<Lane>(k), rows.normal_y.template load<Lane>(k)};
+        const law::BondForce<T> rate =
+            rates<Lane>(elements, i, j, n, rows.inverse_d.template load<Lane>(k), rows.length.template load<Lane>(k),
+                        rows.share_i.template load<Lane>(k));
         law::BondForce<T> unused{T{}, T{}};
         add_dashpots<Lane>(rows, k, held, rate, dt, unused);
     }
@@ -154,8 +155,9 @@ void facet_forces(const FacetRows& rows, const ElementRows& elements, std::size_
         if (held.none()) continue;
         const typename Lane::Picked i(rows.i + k);
         const typename Lane::Picked j(rows.j + k);
-        const Vector q = elastic_part<Lane>(rows, k, Lane::load(rows.stretch + k), Lane::load(rows.shift + k),
-                                            j.of(elements.rotation) - i.of(elements.rotation));
+        const Vector q =
+            elastic_part<Lane>(rows, k, rows.stretch.template load<Lane>(k), rows.shift.template load<Lane>(k),
+                               j.of(elements.rotation) - i.of(elements.rotation));
         const FacetParts<T> parts = parts_of<Lane>(rows, k);
         Vector force = parts.springs * q + i.of(rows.pressure) * parts.growth_i + j.of(rows.pressure) * parts.growth_j;
         if (rows.normal != nullptr) {
@@ -166,12 +168,12 @@ void facet_forces(const FacetRows& rows, const ElementRows& elements, std::size_
             force.normal += Lane::load(rows.dashpot_normal + k);
             force.shear += Lane::load(rows.dashpot_shear + k);
         }
-        const T s = Lane::load(rows.share_i + k);
-        const T couple = held(force.shear * Lane::load(rows.length + k));
+        const T s = rows.share_i.template load<Lane>(k);
+        const T couple = held(force.shear * rows.length.template load<Lane>(k));
         const T bending = held(force.turn);
-        const Vector2<T> n{Lane::load(rows.normal_x + k), Lane::load(rows.normal_y + k)};
-        put_force<Lane>(rows, k, n, Lane::load(rows.inverse_d + k), held(force.normal), couple, couple * s + bending,
-                        couple * (1.0 - s) - bending);
+        const Vector2<T> n{rows.normal_x.template load<Lane>(k), rows.normal_y.template load<Lane>(k)};
+        put_force<Lane>(rows, k, n, rows.inverse_d.template load<Lane>(k), held(force.normal), couple,
+                        couple * s + bending, couple * (1.0 - s) - bending);
     }
 }
 
@@ -182,7 +184,8 @@ struct SuspectRows {
     using History = typename Law::template History<double>;
 
     typename Law::Tractions tractions;
-    const double *normal, *shear, *area, *radius;
+    const double *normal, *shear;
+    NumberRows area, radius;
     std::array<const double*, History::members.size()> history;
     const std::uint8_t* broken;
     std::uint8_t* suspect;
@@ -208,8 +211,8 @@ bool mark_suspects(const SuspectRows<Law>& rows, std::size_t begin, std::size_t 
     using T = typename Lane::Number;
     using History = typename Law::template History<T>;
     return mark_rows<Lane>(rows, begin, end, [&](std::size_t k, const law::BondForce<T>& force) {
-        return Law::may_fail(rows.tractions, Lane::load(rows.area + k), Lane::load(rows.radius + k), force,
-                             loaded_members<Lane, History>(rows.history, k));
+        return Law::may_fail(rows.tractions, rows.area.template load<Lane>(k), rows.radius.template load<Lane>(k),
+                             force, loaded_members<Lane, History>(rows.history, k));
     });
 }
 
@@ -218,7 +221,7 @@ template <class Lane, class Law>
 bool mark_waking(const SuspectRows<Law>& rows, std::size_t begin, std::size_t end) {
     using T = typename Lane::Number;
     return mark_rows<Lane>(rows, begin, end, [&](std::size_t k, const law::BondForce<T>& force) {
-        return Law::may_wake(rows.tractions, Lane::load(rows.area + k), force);
+        return Law::may_wake(rows.tractions, rows.area.template load<Lane>(k), force);
     });
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -89,6 +90,7 @@ std::vector<Candidate> candidates(const state::State& state, Search& search) {
     const double largest = *std::max_element(elements.radius.begin(), elements.radius.end());
     const double reach = 2.0 * largest + search.excess + search.skin;
     search.places = places_of(state, reach);
+    search.clearance = std::numeric_limits<double>::infinity();
     const Places& places = search.places;
     std::vector<Candidate> found;
     search.grid.build(places.at, reach);
@@ -103,7 +105,10 @@ std::vector<Candidate> candidates(const state::State& state, Search& search) {
             if (bonded.intact) return;
             if (bonded.reference > 0.0) reference = bonded.reference;
         }
-        if (norm(places.at[a] - places.at[b]) < reference + search.skin) found.push_back({i, j, reference});
+        const double gap = norm(places.at[a] - places.at[b]) - reference;
+        if (gap >= search.skin) return;
+        search.clearance = std::min(search.clearance, gap);
+        found.push_back({i, j, reference});
     });
     return in_order(found, elements.size());
 }
@@ -160,6 +165,10 @@ ContactPast kept_of(const state::Contacts& old, std::size_t row) {
     return past;
 }
 
+bool has_force(const ContactPast& past) {
+    return past.contact.force != 0.0 || past.contact.damping != 0.0 || past.rolling.moment != 0.0;
+}
+
 /// What a pair that leaves the list had spent, and what it still stores if an element was taken out.
 void book(state::State& state, const state::Contacts& old, std::size_t row) {
     const ContactPast past = kept_of(old, row);
@@ -199,7 +208,10 @@ void refresh_pairs(state::State& state, Search& search) {
     for (const Candidate& pair : found) {
         book_until(pair);
         ContactPast past;
-        if (next != rows.end() && std::tie(old.i[*next], old.j[*next]) == pair.key()) past = kept_of(old, *next++);
+        if (next != rows.end() && std::tie(old.i[*next], old.j[*next]) == pair.key()) {
+            past = kept_of(old, *next++);
+            if (has_force(past)) search.clearance = std::min(search.clearance, 0.0);
+        }
         append_row(state, pair, past);
     }
     for (; next != rows.end(); ++next) book(state, old, *next);
@@ -233,6 +245,7 @@ void refresh_contacts(state::State& state, Search& search) {
 
 void append_contacts(state::State& state, Search& search, const std::vector<NewContact>& contacts) {
     if (contacts.empty()) return;
+    search.clearance = 0.0;
     for (const NewContact& contact : contacts) {
         const double touch = state.elements.radius[contact.i] + state.elements.radius[contact.j];
         search.excess = std::max(search.excess, contact.reference - touch);

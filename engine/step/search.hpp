@@ -19,6 +19,7 @@ struct Search {
     double greatest_skin = 0.0; ///< m
     double travelled = 0.0;     ///< upper bound of what any element or wall has moved since the list was made, m
     std::uint64_t steps = 0;    ///< since the list was made; 0 also where what has been travelled is not known
+    double clearance = 0.0;     ///< least gap of the pairs listed, m; at most 0 if one touches or has just let go
     double excess = 0.0;        ///< most by which a broken bond's reference length exceeds its radii, m
     std::uint64_t searches = 0;
     std::vector<std::size_t> bond_set_of_body; ///< row of State::bond_sets, or its size for none
@@ -30,6 +31,9 @@ struct Search {
 Search start_search(const state::State& state);
 
 [[nodiscard]] inline bool in_doubt(const Search& search) { return 2.0 * search.travelled > search.skin; }
+
+/// Whether any pair listed may touch by now.
+[[nodiscard]] inline bool may_touch(const Search& search) { return 2.0 * search.travelled >= search.clearance; }
 
 /// Adds a step in which nothing has moved farther than `farthest`, m.
 inline void travel(Search& search, double farthest) {

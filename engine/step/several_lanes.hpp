@@ -16,7 +16,9 @@ struct SeveralLanes {
     static constexpr std::size_t width = W;
 
     DEMLUA_INLINE static Number load(const double* from) { return loaded<W>(from); }
+    DEMLUA_INLINE static Number load(const float* from) { return loaded<W>(from); }
     DEMLUA_INLINE static void store(double* to, Number value) { demlua::store(to, value); }
+    DEMLUA_INLINE static void store(float* to, Number value) { demlua::store(to, value); }
     using Record = LaneRecord<W>;
     DEMLUA_INLINE static Record pick_records(const double* records, const Index* rows) {
         return picked_records<W>(records, rows);
@@ -29,7 +31,8 @@ struct SeveralLanes {
         const Index* rows;
         bool follow;
         DEMLUA_INLINE explicit Picked(const Index* from) : rows(from), follow(in_a_row<W>(from)) {}
-        [[nodiscard]] DEMLUA_INLINE Number of(const double* column) const {
+        template <class Value>
+        [[nodiscard]] DEMLUA_INLINE Number of(const Value* column) const {
             return follow ? loaded<W>(column + *rows) : picked<W>(column, rows);
         }
     };

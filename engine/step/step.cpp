@@ -130,7 +130,7 @@ void add_forces(state::State& state, Stepper& stepper) {
         clock.time(step, Stage::bonds,
                    [&] { std::visit([&](auto& bonds) { compute_bonds(state, stepper, bonds); }, any); });
     }
-    if (state.contacts.size() > 0) {
+    if (state.contacts.size() > 0 && may_touch(stepper.search)) {
         clock.time(step, Stage::contacts,
                    [&] { contact_forces(state, stepper.records, *stepper.kernels, stepper.team); });
     }
@@ -212,8 +212,9 @@ std::string schedule_line(const state::State& state) {
                 using Law = typename std::decay_t<decltype(bonds)>::law;
                 const bool damped = bonds.dashpots.present();
                 dashpots = dashpots || damped;
-                used.push_back(fmt::format("bonds of {}[{}{}{}]", state.bodies[bonds.body].name, Law::name,
-                                           law::follows_rate<Law> ? ", strain rates" : "", damped ? ", dashpots" : ""));
+                used.push_back(fmt::format("bonds of {}[{}{}{}{}]", state.bodies[bonds.body].name, Law::name,
+                                           law::follows_rate<Law> ? ", strain rates" : "", damped ? ", dashpots" : "",
+                                           state.mixed_precision ? ", mixed precision" : ""));
             },
             any);
     }

@@ -4,6 +4,7 @@
 #include "engine/step/contact_forces.hpp"
 #include "engine/step/element_rows.hpp"
 #include "engine/step/facet_forces.hpp"
+#include "engine/step/pair_sums.hpp"
 #include "tools/benchmark/counting_lane.hpp"
 
 #include <algorithm>
@@ -98,10 +99,10 @@ private:
     template <class Pairs>
     void count_slots(const Pairs& bonds) {
         const state::PairSlots& slots = bonds.slots;
-        const step::PairSums sums{bonds.fx.data(),
-                                  bonds.fy.data(),
-                                  bonds.moment_i.data(),
-                                  bonds.moments_of_j().data(),
+        const step::PairSums sums{step::rows_of(bonds.fx),
+                                  step::rows_of(bonds.fy),
+                                  step::rows_of(bonds.moment_i),
+                                  step::rows_of(bonds.moments_of_j()),
                                   slots.start.data(),
                                   slots.row.data(),
                                   elements_.fx.data() + slots.first,

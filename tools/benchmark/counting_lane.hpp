@@ -83,6 +83,14 @@ struct CountingLane {
         Tally::note_read(from);
         return {*from};
     }
+    static Counted load(const float* from) {
+        Tally::note_read(from);
+        return {static_cast<double>(*from)};
+    }
+    static void store(float* to, Counted value) {
+        Tally::note_written(to);
+        *to = static_cast<float>(value.value);
+    }
     static void store(double* to, Counted value) {
         Tally::note_written(to);
         *to = value.value;
@@ -106,7 +114,10 @@ struct CountingLane {
     struct Picked {
         Index row;
         explicit Picked(const Index* rows) : row(*rows) { Tally::note_read(rows); }
-        [[nodiscard]] Counted of(const double* column) const { return load(column + row); }
+        template <class Value>
+        [[nodiscard]] Counted of(const Value* column) const {
+            return load(column + row);
+        }
     };
 
     struct Held {

@@ -67,6 +67,12 @@ Work plateau(double count) {
     return beam("close packed, bonds elastic to plateau", close_packed(count), model::PlateauBonds{});
 }
 
+Work mixed(Work work) {
+    work.what += ", mixed precision";
+    work.scene.precision = model::Precision::mixed;
+    return work;
+}
+
 /// Poisson's ratio 1/3: bonds without shear stiffness, which programs without rotations can follow.
 Work central(double count) {
     Work work = beam("close packed, elastic for good, central forces", close_packed(count), model::ElasticBonds{});
@@ -125,6 +131,8 @@ const std::vector<std::pair<std::string, Maker>>& makers() {
         {"bonded_12k", [] { return plateau(12e3); }},
         {"bonded_100k", [] { return plateau(1e5); }},
         {"bonded_1m", [] { return plateau(1e6); }},
+        {"bonded_mixed_12k", [] { return mixed(plateau(12e3)); }},
+        {"bonded_mixed_100k", [] { return mixed(plateau(1e5)); }},
         {"elastic_12k",
          [] { return beam("close packed, bonds elastic for good", close_packed(12e3), model::ElasticBonds{}); }},
         {"central_12k", [] { return central(12e3); }},
@@ -133,6 +141,11 @@ const std::vector<std::pair<std::string, Maker>>& makers() {
         {"facets_12k",
          [] {
              return beam("irregular pack, facets and cell pressures, plateau", relaxed(12e3), model::PlateauBonds{});
+         }},
+        {"facets_mixed_12k",
+         [] {
+             return mixed(
+                 beam("irregular pack, facets and cell pressures, plateau", relaxed(12e3), model::PlateauBonds{}));
          }},
         {"facets_elastic_12k", [] { return beam("the same, elastic for good", relaxed(12e3), model::ElasticBonds{}); }},
         {"cohesive_12k", [] { return beam("the same, cohesive", relaxed(12e3), model::CohesiveBonds{}); }},
