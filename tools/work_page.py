@@ -20,7 +20,7 @@ class Judged:
 
     @property
     def told(self):
-        return f"below {share(self.floor)}" if self.error < self.floor else share(self.error)
+        return f"below {share(self.floor)}" if self.error <= self.floor else share(self.error)
 
 
 @dataclasses.dataclass
@@ -38,7 +38,7 @@ def share(value):
 
 
 def signed(value, floor=0.0):
-    return f"below {share(floor)}" if abs(value) < floor else f"{100 * value:+.2g} %"
+    return f"below {share(floor)}" if abs(value) <= floor else f"{100 * value:+.2g} %"
 
 
 def seconds(value):
@@ -89,7 +89,7 @@ def lines_of(section):
     return lines
 
 
-def drawn(section):
-    curves = {name: [(one.point.cpu, one.bound, one.error < one.floor) for one in curve]
+def drawn(title, section):
+    curves = {name: [(one.point.cpu, one.bound, one.error <= one.floor) for one in curve]
               for name, curve in curves_of(section.judged).items()}
-    return work_picture.picture(section.title, curves, GOALS)
+    return work_picture.picture(f"{title}: {section.title[0].lower()}{section.title[1:]}", curves, GOALS)

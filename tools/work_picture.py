@@ -5,7 +5,7 @@ import math
 WIDTH, LEFT, RIGHT, TOP, HEIGHT, BELOW, ENTRY = 760, 84, 20, 44, 400, 58, 20  # px
 FRAME = WIDTH - LEFT - RIGHT
 # Colours that stay apart for colour-blind readers and in print.
-COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000"]
+COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000", "#882255", "#808080"]
 
 
 def decades(values):
@@ -45,7 +45,7 @@ def axes(title, columns, lines, x, y):
             at = place(10.0 ** exponent)
             parts.append(text(at, TOP + HEIGHT + 18, "middle", label) if across else text(LEFT - 8, at + 4, "end", label))
     parts.append(f'<rect x="{LEFT}" y="{TOP}" width="{FRAME}" height="{HEIGHT}" fill="none" stroke="#404040"/>')
-    parts.append(text(LEFT + FRAME / 2, TOP + HEIGHT + 42, "middle", "CPU time of one run, s"))
+    parts.append(text(LEFT + FRAME / 2, TOP + HEIGHT + 42, "middle", "CPU time, s"))
     middle = TOP + HEIGHT / 2
     parts.append(text(20, middle, "middle", "error, %", f' transform="rotate(-90 20 {middle})"'))
     return parts

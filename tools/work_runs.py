@@ -15,7 +15,7 @@ SCENES = ROOT / "scenarios"
 PROGRAM = os.environ.get("DEMLUA", ROOT / "build" / "release" / "bin" / "demlua")
 PACKS = ROOT / "build" / "work_precision"
 SHORT = 3.0  # s; runs below it are repeated where there is one seed only
-COLUMNS = ["scene", "curve", "level", "seed", "elements", "steps", "wall_s", "cpu_s", "repeats", "settings", "values"]
+COLUMNS = ["scene", "curve", "level", "seed", "elements", "steps", "wall_s", "cpu_s", "repeats", "processor", "settings", "values"]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -52,6 +52,12 @@ class Point:
     values: list
 
 
+def processor():
+    file = pathlib.Path("/proc/cpuinfo")
+    lines = file.read_text(encoding="utf-8").splitlines() if file.exists() else []
+    return next((line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")), "unknown")
+
+
 def timed(command):
     """CPU seconds (user and system) and wall seconds of a process that must succeed."""
     with tempfile.TemporaryFile() as said:
@@ -86,7 +92,7 @@ def run(curve, level, seed, figures, repeat):
     print(f"{curve.name}, {level.label}" + (f", seed {seed}" if seed else "") + f": {cpu:.2f} s of CPU, {wall:.2f} s, "
           + ", ".join(f"{name} {value:.6g}" for name, value in values.items()), file=sys.stderr, flush=True)
     return {"curve": curve.name, "level": level.label, "seed": seed or "", "elements": summary["elements"], "steps": summary["steps"],
-            "wall_s": wall, "cpu_s": cpu, "repeats": wanted, "settings": settings, "values": values}
+            "wall_s": wall, "cpu_s": cpu, "repeats": wanted, "processor": processor(), "settings": settings, "values": values}
 
 
 def rows_of(name, curves, figures, quick, repeat):
