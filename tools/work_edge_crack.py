@@ -64,8 +64,8 @@ when pulled without end slowly and made of elements without end small. Two error
   rest (`driver = "quasi-static"`) at that radius; runs from rest to rest against pulls of {slow} ms, taken as a geometric sequence.
 - of the **size**: how far the slow limit at that radius is from that of small elements, {reference:.4g} MPa. That is extrapolated
   (eqs 20 and 38, order {order:.2g}) from rest to rest at radii of 7.81, 3.91 and 1.95 mm. Radii of 10.4, 5.21 and 2.60 mm give
-  {other:.4g} MPa; with what the two methods differ by it is known to {floor}. A code that shares nothing with this one had found 2.48, 2.45 and 2.44 MPa at the
-  same three radii and read 2.43 MPa from them without extrapolating.
+  {other:.4g} MPa; with what the two methods differ by it is known to {floor}. A code that shares
+  nothing with this one had found 2.48, 2.45 and 2.44 MPa at the same three radii and read 2.43 MPa from them without extrapolating.
 
 A pull ends at its first broken bond; its ramp is the time in which the stress would rise to 3.6 MPa. Ramps from 100 ms on go up to
 2.2 MPa ten times as fast (`head_start`), which changes nothing in four digits and makes them cheaper than that of 50 ms."""
@@ -81,7 +81,7 @@ two is off cannot be told, so no smaller error is."""
 
 CLOSING = """\
 - **From rest to rest saves choices, not time.** At 3.91 mm it takes {rest}. A pull of 400 ms takes {pull} and is still {above}
-  above it; three pulls, extrapolated, take {pulls} and come to {apart} of it. But the pulls had to be chosen, and their damping and
+  above it; three pulls, extrapolated, take {pulls} and come within {apart} of it. But the pulls had to be chosen, and their damping and
   what is read as failure; the other has nothing to choose. That is why `driver = "quasi-static"` is there. The scene's own
   default pulls, in 50 ms, because its question is what the paper's pull gives.
 - **A fast pull hides the size.** At 7 ms the ramp adds {fast}; the radius adds {coarse} at 7.81 mm. Refining alone then gains next to
