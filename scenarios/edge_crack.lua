@@ -22,6 +22,8 @@ local p = dem.param {
   damping       = { 0.5, help = "by mass, fraction of critical of the plate's first axial mode" },
   hold_rotation = { false, help = "of the loaded end rows" },
   read_out      = { "first bond", help = "what is called failure: \"first bond\", \"tenth bond\" or \"half ligament\"" },
+  step_fraction = { 0.8, help = "share of the critical time step" },
+  frames        = { 25, help = "written on the way; 0: none" },
   compare_with  = { "eq 37", help = "or \"other code\": first bonds found by a code that shares nothing with this one" },
 }
 
@@ -72,7 +74,7 @@ else
   }
 end
 
-local sim = dem.simulation { title = "Edge crack", plane = p.plane }
+local sim = dem.simulation { title = "Edge crack", plane = p.plane, step_fraction = p.step_fraction }
 local plate = sim:body {
   name = "plate", material = concrete,
   region  = dem.rectangle { size = { width, height } },
@@ -121,7 +123,7 @@ end)
 
 sim:history { every = done / 500, stress = function() return pull.stress_y end,
               stretch = function(now) return now:mean("displacement_y", plate.top) - now:mean("displacement_y", plate.bottom) end }
-sim:output { every = done / 25 }
+if p.frames > 0 then sim:output { every = done / p.frames } end
 sim:run { duration = done, driver = p.driver }
 if p.driver == "quasi-static" then dem.result { last_rest = pull.stress_y } end
 

@@ -14,6 +14,7 @@ local p = dem.param {
   seed             = { 1, help = "of the beam's pack" },
   rate_factor      = { 3, help = "constant strain-rate factor on the concrete's strength and fracture energy" },
   break_in_shear   = { true, help = "bonds also break when plastic slip has spent the fracture energy; false: the printed law" },
+  projectile       = { "13 elements wide", help = "or \"as wide\" in metres as 13 elements are in a beam of 12,000" },
   rigid_projectile = { false, help = "the projectile moves as one piece" },
   supports_on      = { true, help = "hold the lower corners of the beam" },
 
@@ -40,15 +41,12 @@ local p = dem.param {
   frame_every        = { 1e-3 / 6, "s" },
 }
 
+if p.projectile ~= "13 elements wide" and p.projectile ~= "as wide" then error('projectile: "13 elements wide" or "as wide"') end
+
 local concrete = dem.material {
   name = "concrete",
   youngs_modulus = p.concrete_modulus, poissons_ratio = p.concrete_ratio, density = p.concrete_density,
   tensile_strength = p.concrete_strength, fracture_toughness = p.concrete_toughness, rate_factor = p.rate_factor,
-  friction = p.friction, contact_damping = p.contact_damping,
-}
-local steel = dem.material {
-  name = "steel",
-  youngs_modulus = p.steel_modulus, poissons_ratio = p.steel_ratio, density = p.steel_density,
   friction = p.friction, contact_damping = p.contact_damping,
 }
 
@@ -62,14 +60,32 @@ local beam = sim:body {
   bonds   = dem.plateau { stiffness = p.stiffness, search = p.search, damping = p.bond_damping, break_in_shear = p.break_in_shear },
 }
 
--- The projectile: a wedge of rows of 1 to 12 elements, then 21 rows of 13, all of the beam's radius: 351. Its outline is
--- drawn in radii around the centre of the lowest element, half a radius outside the outermost centres.
+-- The projectile: a wedge of rows of 1 to 12 elements, then 21 rows of 13, all of the beam's radius: 351. As wide in metres in
+-- any beam, it has as many elements across as come closest, is as much longer or shorter as whole rows allow, and its
+-- density makes up for what is left. Its outline is drawn in radii around the centre of the lowest element, half a radius
+-- outside the outermost centres.
 local R, row = beam.radius, math.sqrt(3)
+local across, straight, heavier = 13, 21, 1
+if p.projectile == "as wide" then
+  local finer = p.elements / 12000
+  local function elements() return across * (across - 1) / 2 + straight * across end
+  local wanted = elements() * finer
+  across = math.floor(across * math.sqrt(finer) + 0.5)
+  straight = math.floor((wanted - across * (across - 1) / 2) / across + 0.5)
+  heavier = wanted / elements()
+end
+local rows = across - 1 + straight
 local outline = {
   { -0.5, -0.5 }, { 0.5, -0.5 },
-  { 13.5, 13 * row - 0.5 }, { 13.5, 32.5 * row },
-  { -12.5, 32.5 * row }, { -12.5, 12 * row - 0.5 },
+  { across + 0.5, across * row - 0.5 }, { across + 0.5, (rows - 0.5) * row },
+  { 0.5 - across, (rows - 0.5) * row }, { 0.5 - across, (across - 1) * row },
 }
+local steel = dem.material {
+  name = "steel",
+  youngs_modulus = p.steel_modulus, poissons_ratio = p.steel_ratio, density = heavier * p.steel_density,
+  friction = p.friction, contact_damping = p.contact_damping,
+}
+
 local tip = { length / 2, depth + R } -- the lowest element just touches the beam
 for _, corner in ipairs(outline) do
   corner[1], corner[2] = tip[1] + R * corner[1], tip[2] + R * corner[2]
