@@ -45,6 +45,10 @@ inline void put_in_doubt(Search& search) {
     search.travelled = std::numeric_limits<double>::infinity();
     search.steps = 0;
 }
+/// Whether elements have been moved by other than steps since the list was made.
+[[nodiscard]] inline bool is_unknown(const Search& search) {
+    return search.travelled == std::numeric_limits<double>::infinity();
+}
 
 /// Makes the lists of contacts and wall contacts anew, with a skin for the pace of late. Histories of pairs that stay are kept; what the others had spent
 /// is booked.

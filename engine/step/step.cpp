@@ -143,6 +143,7 @@ void advance(state::State& state, Stepper& stepper) {
     Clock& clock = stepper.clock;
     const std::uint64_t step = state.step;
     const bool driven = !state.loads.empty() || !state.drives.empty();
+    if (audits_contacts && is_unknown(stepper.search)) stepper.audit = {};
     Drift moved;
     clock.time(step, Stage::motion,
                [&] { moved = move_elements(state, stepper.limit, *stepper.kernels, stepper.team); });
@@ -155,6 +156,7 @@ void advance(state::State& state, Stepper& stepper) {
     state.time += state.dt;
 
     add_forces(state, stepper);
+    if constexpr (audits_contacts) stepper.audit.book(state);
     if (!state.walls.empty()) book_wall_work(state);
     if (!state.drives.empty()) apply_drives(state);
     if (driven) book_work(state);

@@ -5,6 +5,7 @@
 #include "engine/base/team.hpp"
 #include "engine/model/region.hpp"
 #include "engine/state/state.hpp"
+#include "engine/step/contact_audit.hpp"
 #include "engine/step/kernels.hpp"
 #include "engine/step/motion.hpp"
 #include "engine/step/search.hpp"
@@ -39,6 +40,7 @@ struct Stepper {
     TravelLimit limit;
     model::Region domain;   ///< elements that leave it are taken out; empty where nothing can leave
     Column<double> records; ///< of elements, as contacts see them; empty while there are no contacts
+    ContactAudit audit;     ///< of debug builds
     bool cut = false;       ///< whether bonds have been marked to break at this instant
     Clock clock;
 
