@@ -19,6 +19,7 @@ local p = dem.param {
   solver  = { "direct", help = "static: \"direct\", or \"marching\" to rest under critical damping by mass from a sudden load on" },
   settle  = { 2, help = "marching: for so many periods of the slab's first frequency" },
   step_fraction = { 0.8, help = "share of the critical time step" },
+  precision = { "double", help = "or \"mixed\": bonds kept in single precision" },
 }
 local close_packed = p.packing == "close-packed"
 if not close_packed and p.packing ~= "irregular" then error('packing: "close-packed" or "irregular"') end
@@ -75,7 +76,8 @@ if p.load == "static" then
 end
 
 -- ---- the experiment ----
-local sim = dem.simulation { title = "Cantilever", plane = "stress", thickness = thickness, step_fraction = p.step_fraction }
+local sim = dem.simulation { title = "Cantilever", plane = "stress", thickness = thickness, step_fraction = p.step_fraction,
+                             precision = p.precision }
 local polymer = dem.material { name = "polymer", youngs_modulus = E, poissons_ratio = nu, density = density }
 local region, packing, held_to, loaded_from
 if close_packed then

@@ -23,6 +23,7 @@ local p = dem.param {
   hold_rotation = { false, help = "of the loaded end rows" },
   read_out      = { "first bond", help = "what is called failure: \"first bond\", \"tenth bond\" or \"half ligament\"" },
   step_fraction = { 0.8, help = "share of the critical time step" },
+  precision     = { "double", help = "or \"mixed\": bonds kept in single precision" },
   frames        = { 25, help = "written on the way; 0: none" },
   compare_with  = { "eq 37", help = "or \"other code\": first bonds found by a code that shares nothing with this one" },
 }
@@ -74,7 +75,8 @@ else
   }
 end
 
-local sim = dem.simulation { title = "Edge crack", plane = p.plane, step_fraction = p.step_fraction }
+local sim = dem.simulation { title = "Edge crack", plane = p.plane, step_fraction = p.step_fraction,
+                             precision = p.precision }
 local plate = sim:body {
   name = "plate", material = concrete,
   region  = dem.rectangle { size = { width, height } },

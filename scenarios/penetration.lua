@@ -37,6 +37,7 @@ local p = dem.param {
   search             = { 0.1, help = "share of the radius across which elements are bonded" },
 
   step_fraction      = { 0.9, help = "share of the critical time step" },
+  precision          = { "double", help = "or \"mixed\": bonds kept in single precision" },
   history_every      = { 1e-5, "s" },
   frame_every        = { 1e-3 / 6, "s" },
 }
@@ -50,7 +51,8 @@ local concrete = dem.material {
   friction = p.friction, contact_damping = p.contact_damping,
 }
 
-local sim = dem.simulation { title = "Penetration", plane = "stress", thickness = 1, step_fraction = p.step_fraction }
+local sim = dem.simulation { title = "Penetration", plane = "stress", thickness = 1, step_fraction = p.step_fraction,
+                             precision = p.precision }
 
 local length, depth = p.beam_length, p.beam_depth
 local beam = sim:body {

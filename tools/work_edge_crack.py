@@ -31,12 +31,15 @@ def ramps(*times, when="always"):
     return [Level(ramp_name(ms), {"ramp": f"{ms}e-3", **({"head_start": "2.2e6"} if ms > 50 else {})}, (None,), when) for ms in times]
 
 
-def pulled(n, fraction, levels):
-    return Curve(pulled_name(n, fraction), SCENE, {"hold_rotation": "true", "frames": 0, "step_fraction": fraction, **across(n)}, levels)
+def pulled(n, fraction, levels, precision="double"):
+    settings = {"hold_rotation": "true", "frames": 0, "step_fraction": fraction, **across(n)}
+    if precision != "double":
+        settings["precision"] = precision
+    return Curve(pulled_name(n, fraction, precision), SCENE, settings, levels)
 
 
-def pulled_name(n, fraction):
-    return f"pulled at {fraction} of the step, {radius_name(n)}"
+def pulled_name(n, fraction, precision="double"):
+    return f"pulled at {fraction} of the step, {radius_name(n)}" + ("" if precision == "double" else f", {precision} precision")
 
 
 SLOW = (100, 200, 400)
@@ -49,8 +52,12 @@ CURVES = [
     pulled(32, 0.9, ramps(7, 30, 50, *SLOW, when="full")),
     pulled(32, 0.45, ramps(50, 100, when="full")),
     pulled(48, 0.9, ramps(7, 50, *SLOW, when="full")),
+    pulled(16, 0.9, ramps(100, 200), "mixed"),
+    pulled(48, 0.9, ramps(50, 100, when="full"), "mixed"),
 ]
 CROSS = {pulled_name(n, f): n for n in (16, 32, 48) for f in (0.9, 0.45)}
+MIXED = {n: pulled_name(n, 0.9, "mixed") for n in (16, 48)}
+CROSS.update({name: n for n, name in MIXED.items()})
 LINEAR = "from rest to rest, two radii, extrapolated as of first order"
 PAIRS = [(12, 24), (16, 32), (24, 48)]
 SLOWER = "three slow pulls, extrapolated"
@@ -87,6 +94,7 @@ CLOSING = """\
 - **A fast pull hides the size.** At 7 ms the ramp adds {fast}; the radius adds {coarse} at 7.81 mm. Refining alone then gains next to
   nothing.
 - **The step does not enter**: half the step moves the stress by {step} at most.
+- **Mixed precision** moves the stress by {mixed} at most and takes {mixed_time} of the CPU time at {mixed_radius}.
 - **The size is what is left.** The error falls about as the radius to the power {order:.2g}, so that small elements alone are a dear
   way: 1.95 mm from rest to rest takes some minutes and is still {fine} off, and two coarser radii, extrapolated, come nearer in
   seconds. A tenth of a per cent is not to be had: no reference is that good."""
@@ -205,7 +213,13 @@ def closing(points):
     halved = [abs(stress(points[pulled_name(n, 0.45), at]) / stress(point) - 1)
               for n in (16, 32) for (name, at), point in points.items()
               if name == pulled_name(n, 0.9) and (pulled_name(n, 0.45), at) in points]
-    return CLOSING.format(rest=seconds(points[REST, radius_name(fine)].cpu), pull=seconds(slow[-1].cpu), pulls=seconds(sum(p.cpu for p in slow)),
+    mixed = [(points[name, at], points[pulled_name(n, 0.9), at]) for n, name in MIXED.items()
+             for (curve, at) in points if curve == name]
+    finest = [pair for pair in mixed if pair[0].elements == max(point.elements for point, _ in mixed)]
+    return CLOSING.format(mixed=share(max(abs(stress(one) / stress(two) - 1) for one, two in mixed)),
+                          mixed_time=f"{sum(one.cpu for one, _ in finest) / sum(two.cpu for _, two in finest):.2f}",
+                          mixed_radius=radius_name(next(n for n in reversed(MIXED) if (MIXED[n], finest[0][0].level) in points)),
+                          rest=seconds(points[REST, radius_name(fine)].cpu), pull=seconds(slow[-1].cpu), pulls=seconds(sum(p.cpu for p in slow)),
                           above=share(stress(slow[-1]) / limits.rest[fine] - 1), apart=share(abs(limits.slow[fine] / limits.rest[fine] - 1)),
                           fast=share(stress(pulls_of(points, 16, (7,))[0]) / limits.rest[16] - 1),
                           coarse=share(limits.rest[16] / limits.reference - 1), step=share(max(halved)), order=limits.order,

@@ -78,10 +78,15 @@ ContactAudit::Account opened(const state::State& state, std::size_t c, const Pai
     return account;
 }
 
+/// What rounding may bring: of the work, and of the places between which an overlap is the difference, J.
+double rounding_of(const state::State& state, std::size_t c, const ContactAudit::Account& account) {
+    const double apart = 1e-15 * (norm(state.elements.position(state.contacts.i[c])) + state.contacts.reference[c]);
+    return 1e-9 * account.exchanged + state.contacts.rules[state.contacts.rule[c]].Kn * apart * apart;
+}
+
 } // namespace
 
 void ContactAudit::book(const state::State& state) {
-    constexpr double rounding = 1e-9;
     const state::Contacts& contacts = state.contacts;
     std::unordered_map<std::uint64_t, Account> now;
     for (std::size_t c = 0; c < contacts.size(); ++c) {
@@ -95,7 +100,7 @@ void ContactAudit::book(const state::State& state) {
         }
         Account account = found->second;
         book_step(account, pair, contacts.rules[contacts.rule[c]].params(), state.dt);
-        if (account.given > account.allowed + rounding * account.exchanged) {
+        if (account.given > account.allowed + rounding_of(state, c, account)) {
             throw RunError(
                 fmt::format("the contact of elements {} and {} has given {:.4g} J more than it took, of {:.4g} J "
                             "exchanged, by step {} (t = {:.6g} s)",
