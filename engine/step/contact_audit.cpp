@@ -23,6 +23,7 @@ struct Pair {
     double sliding = 0.0; ///< m/s
     double rolling = 0.0; ///< rad/s
     double pressure = 0.0, shear = 0.0, couple = 0.0;
+    double dashpot = 0.0, shear_dashpot = 0.0; ///< their part in these
 };
 
 Pair pair_of(const state::State& state, std::size_t c) {
@@ -45,6 +46,9 @@ Pair pair_of(const state::State& state, std::size_t c) {
     const Vec2 f{contacts.fx[c], contacts.fy[c]};
     pair.pressure = -dot(f, pair.normal);
     pair.shear = dot(f, tangent);
+    const state::ContactHistory history = contacts.history.at(c);
+    pair.dashpot = history.damping;
+    pair.shear_dashpot = pair.shear - contacts.rules[contacts.rule[c]].Kt * history.shear;
     if (contacts.rolls) pair.couple = contacts.moment_i[c] - pair.shear * a_i;
     return pair;
 }
@@ -58,10 +62,16 @@ void book_step(ContactAudit::Account& account, const Pair& pair, const law::Coul
     const double slid = pair.along * dt;
     account.allowed += 0.5 * (account.pressure + pair.pressure) * slid * slid / (2.0 * pair.distance);
     const double step = pair.closing * dt;
-    if (account.pressure > 0.0 && pair.pressure <= 0.0) account.allowed += p.Kn * step * step / 8.0;
+    if (account.pressure > 0.0 && pair.pressure <= 0.0) {
+        account.allowed += p.Kn * step * step / 8.0 + 0.5 * std::fabs(account.dashpot * step);
+    }
     const double slide = pair.sliding * dt;
     const bool slips = std::fabs(pair.shear) >= almost * p.mu * pair.pressure;
-    if (slips && account.shear * slide < 0.0) account.allowed += p.Kt * slide * slide / 8.0;
+    if (slips && account.shear * slide < 0.0) {
+        account.allowed += p.Kt * slide * slide / 8.0 + 0.5 * std::fabs(account.shear_dashpot * slide);
+    }
+    account.dashpot = pair.dashpot;
+    account.shear_dashpot = pair.shear_dashpot;
     account.pressure = pair.pressure;
     account.shear = pair.shear;
     account.couple = pair.couple;

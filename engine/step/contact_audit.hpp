@@ -9,6 +9,8 @@
 //   Kn (closing dt)^2/8          where it lets go: the last overlap d ends within a step that is longer than d by s - d, over
 //                                which the mean force Kn d/2 still acts; d (s - d) <= s^2/4, s = closing dt
 //   Kt (sliding dt)^2/8          where it slips back, or lets go, faster than its spring: likewise
+//   D closing dt/2, D sliding dt/2   there too: what the dashpots D of the instant before give when the motion has turned
+//                                since, and those of this instant, cut off, do not take
 //   N (v.t dt)^2/(2 |d|)         in a step: the displacement is taken along the normal at its end, which has turned
 //
 // Not part of a step in a release build.
@@ -32,6 +34,7 @@ public:
         double allowed = 0.0;                             ///< J
         double exchanged = 0.0;                           ///< to and fro, J
         double pressure = 0.0, shear = 0.0, couple = 0.0; ///< at the last instant, N, N, N m
+        double dashpot = 0.0, shear_dashpot = 0.0;        ///< their part in these, N
     };
     /// Of the pairs listed at the last instant, by i * elements + j.
     [[nodiscard]] const std::unordered_map<std::uint64_t, Account>& accounts() const { return accounts_; }
