@@ -48,6 +48,7 @@ struct NumberTargets {
 class NumberColumn {
 public:
     void push_back(double value) { wide_.push_back(value); }
+    void reserve(std::size_t rows) { wide_.reserve(rows); }
     void resize(std::size_t rows) { wide_.resize(rows); }
     void clear() { *this = {}; }
 

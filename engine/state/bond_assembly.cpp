@@ -52,6 +52,11 @@ template <class Law>
 void lay_out(BondTable<Law>& bonds, const State& state, const std::vector<bonding::Pair>& pairs) {
     const Elements& elements = state.elements;
     const Body& body = state.bodies[bonds.body];
+    for (Column<Index>* column : {&bonds.i, &bonds.j}) column->reserve(pairs.size());
+    for (NumberColumn* column :
+         {&bonds.Dx, &bonds.Dy, &bonds.length, &bonds.inverse_length, &bonds.share_i, &bonds.radius}) {
+        column->reserve(pairs.size());
+    }
     for (const auto& [a, b] : pairs) {
         const std::size_t i = body.first + a;
         const std::size_t j = body.first + b;
@@ -139,7 +144,7 @@ FacetSet<Law> facets_of(const State& state, const BondedBody& said, double dampi
 /// In a close packing all bonds are as long, but for rounding in the places of elements.
 template <class Law>
 void even_out(BondSet<Law>& bonds) {
-    constexpr double rounding = 1e-13;
+    constexpr double rounding = 1e-11; // of places a thousand bonds and more from the origin
     for (NumberColumn* column : {&bonds.length, &bonds.inverse_length, &bonds.share_i, &bonds.radius}) {
         column->even_out(rounding);
     }
