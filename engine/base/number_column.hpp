@@ -36,11 +36,11 @@ struct NumberTargets {
 
     template <class Lane>
     [[nodiscard]] typename Lane::Number load(std::size_t row) const {
-        return narrow != nullptr ? Lane::load(narrow + row) : Lane::load(wide + row);
+        return wide != nullptr ? Lane::load(wide + row) : Lane::load(narrow + row);
     }
     template <class Lane>
     void store(std::size_t row, typename Lane::Number value) const {
-        narrow != nullptr ? Lane::store(narrow + row, value) : Lane::store(wide + row, value);
+        wide != nullptr ? Lane::store(wide + row, value) : Lane::store(narrow + row, value);
     }
 };
 

@@ -45,13 +45,14 @@ Drive drive_of(const Column<Index>& rows, const State& state, Freedom freedom, c
 
 bool runs_along_x(model::Side side) { return side == model::Side::top || side == model::Side::bottom; }
 
-/// How far (m) a loaded side goes on beyond its end element: to the region's edge, but within the element's disk.
-double side_beyond(const model::Region& region, Vec2 centre, Vec2 along, double radius) {
+/// How far (m) a loaded side goes on beyond its end element: to the region's edge, where that is no farther than `reach`; else
+/// to the end of the element's disk.
+double side_beyond(const model::Region& region, Vec2 centre, Vec2 along, double radius, double reach) {
     const double on_edge = 1e-10 * radius;
     const auto inside = [&](double beyond) { return region.distance(centre + beyond * along) <= on_edge; };
-    if (region.bounds().empty() || inside(radius)) return radius;
+    if (region.bounds().empty() || inside(reach)) return radius;
     double near = 0.0;
-    double far = radius;
+    double far = reach;
     for (int halving = 0; halving < 50; ++halving) {
         const double middle = 0.5 * (near + far);
         (inside(middle) ? near : far) = middle;
@@ -107,8 +108,11 @@ Load load_of(const model::Traction& traction, const model::Body& body, const Sta
                      [&](Index a, Index b) { return place_along(a) < place_along(b); });
 
     const Vec2 along = along_x ? Vec2{1.0, 0.0} : Vec2{0.0, 1.0};
+    // In an irregular pack the element in a corner may lie too deep to count as one of the side.
+    const bool whole = !traction.selection.within && !traction.selection.where;
     const auto beyond = [&](Index k, Vec2 way) {
-        return side_beyond(body.region, elements.position(k), way, elements.radius[k]);
+        const double radius = elements.radius[k];
+        return side_beyond(body.region, elements.position(k), way, radius, whole ? 4.0 * radius : radius);
     };
     const Index first = load.element.front();
     const Index last = load.element.back();
