@@ -33,15 +33,22 @@ for layer = 1, p.layers do
 end
 local grains = sim:body { name = "grains", material = grain, packing = dem.disks(list) }
 
+-- Force on the box over the last third of the run: single contacts still open and close in it.
+local felt, samples = 0, 0
 sim:history {
   every = 5e-3,
+  force_on_box = function(now)
+    local force = -now.wall.box.force.y
+    if now.time > 2 / 3 * p.duration then felt, samples = felt + force, samples + 1 end
+    return force
+  end,
   kinetic = function(now) return now.ledger.kinetic end,
   height = function(now) return now.body.grains.position.y end,
 }
 sim:run { duration = p.duration }
 
 dem.compare {
-  what = "force on the box, of the weight", value = -sim.now.wall.box.force.y / (grains.mass * gravity), reference = 1, tolerance = 1e-3,
+  what = "mean force on the box, of the weight", value = felt / samples / (grains.mass * gravity), reference = 1, tolerance = 1e-3,
   because = "a thousandth of the weight may still be swinging", source = "momentum",
 }
 dem.result { height = grains.position.y, coordination = sim.now:mean("coordination", grains) }
