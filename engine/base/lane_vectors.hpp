@@ -164,19 +164,19 @@ using LaneRecord = std::array<Lanes<W>, 8>;
 
 /// Rows become columns: lane l of entry m changes places with lane m of entry l.
 DEMLUA_INLINE void transpose(LaneRecord<8>& square) {
-    for (std::size_t at : {0, 2, 4, 6}) {
+    for (const std::size_t at : {0UL, 2UL, 4UL, 6UL}) {
         const auto a = square[at].v;
         const auto b = square[at + 1].v;
         square[at].v = __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
         square[at + 1].v = __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
     }
-    for (std::size_t at : {0, 1, 4, 5}) {
+    for (const std::size_t at : {0UL, 1UL, 4UL, 5UL}) {
         const auto a = square[at].v;
         const auto b = square[at + 2].v;
         square[at].v = __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13);
         square[at + 2].v = __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15);
     }
-    for (std::size_t at : {0, 1, 2, 3}) {
+    for (const std::size_t at : {0UL, 1UL, 2UL, 3UL}) {
         const auto a = square[at].v;
         const auto b = square[at + 4].v;
         square[at].v = __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11);
