@@ -33,6 +33,7 @@ PairRule pair_rule(const MaterialFacts& a, const MaterialFacts& b) {
     PairRule rule;
     rule.Kn = law::in_series(a.stiffness.normal, b.stiffness.normal);
     rule.Kt = law::in_series(a.stiffness.shear, b.stiffness.shear);
+    rule.shear_damping = std::sqrt(rule.Kt / rule.Kn);
     rule.mu = std::min(a.friction, b.friction);
     rule.rolling_friction = std::min(a.rolling_friction, b.rolling_friction);
     rule.damping_fraction = 0.5 * (a.damping_fraction + b.damping_fraction);
@@ -59,11 +60,6 @@ void lay_out_materials(const model::Scene& scene, State& state) {
         for (const MaterialFacts& b : state.materials) state.contacts.rules.push_back(pair_rule(a, b));
     }
     for (const model::ContactRule& said : scene.contact_rules) apply(said, state.contacts);
-    for (std::size_t k = 0; k < state.contacts.rules.columns[0].size(); ++k) {
-        PairRule rule = state.contacts.rules[k];
-        rule.shear_damping = std::sqrt(rule.Kt / rule.Kn);
-        state.contacts.rules.store(k, rule);
-    }
     for (const double friction : state.contacts.rules.column<&PairRule::rolling_friction>()) {
         state.contacts.rolls |= friction > 0.0;
     }
