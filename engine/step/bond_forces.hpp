@@ -17,7 +17,8 @@ template <class Law>
 DEMLUA_INLINE law::BondMotion<double> motion_of(const state::BondTable<Law>& bonds, const state::Elements& elements,
                                                 std::size_t k) {
     return motions<OneLane>(rows_of(elements), OneLane::Picked(&bonds.i[k]), OneLane::Picked(&bonds.j[k]),
-                            Vec2{bonds.Dx[k], bonds.Dy[k]}, bonds.length[k], bonds.inverse_length[k], bonds.share_i[k]);
+                            OneLane::Held(nullptr), Vec2{bonds.Dx[k], bonds.Dy[k]}, bonds.length[k],
+                            bonds.inverse_length[k], bonds.share_i[k]);
 }
 
 /// Speeds at which a bond stretches and shears, m/s, from the velocities of the last half step.

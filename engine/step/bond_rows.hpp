@@ -92,12 +92,14 @@ template <class Law>
 using BondKernel = Happened (*)(const BondRows<Law>& bonds, const ElementRows& elements, double dt, std::size_t begin,
                                 std::size_t end);
 
-/// Kinematics of bonds in the present configuration; s share of i in their length l.
+/// Kinematics of bonds in the present configuration; s share of i in their length l. Where a bond no longer holds it is that
+/// of a bond at rest, so that none is asked for the large motions of what has parted.
 template <class Lane, class T>
 DEMLUA_INLINE law::BondMotion<T> motions(const ElementRows& elements, const typename Lane::Picked& i,
-                                         const typename Lane::Picked& j, Vector2<T> D, T l, T inverse_l, T s) {
-    const T turn = s * i.of(elements.rotation) + (1.0 - s) * j.of(elements.rotation);
-    const Vector2<T> du{j.of(elements.ux) - i.of(elements.ux), j.of(elements.uy) - i.of(elements.uy)};
+                                         const typename Lane::Picked& j, const typename Lane::Held& held, Vector2<T> D,
+                                         T l, T inverse_l, T s) {
+    const T turn = held(s * i.of(elements.rotation) + (1.0 - s) * j.of(elements.rotation));
+    const Vector2<T> du{held(j.of(elements.ux) - i.of(elements.ux)), held(j.of(elements.uy) - i.of(elements.uy))};
     return law::bond_motion(D, l, inverse_l, du, turn);
 }
 
@@ -148,11 +150,13 @@ void measure(const BondRows<Law>& bonds, const ElementRows& elements, std::size_
              MotionBlock& block) {
     using T = typename Lane::Number;
     for (std::size_t k = begin; k < end; k += Lane::width) {
+        const typename Lane::Held held(Law::breaks ? bonds.broken + k : nullptr);
+        if (held.none()) continue;
         const typename Lane::Picked i(bonds.i + k);
         const typename Lane::Picked j(bonds.j + k);
         const Vector2<T> D{bonds.Dx.template load<Lane>(k), bonds.Dy.template load<Lane>(k)};
         const law::BondMotion<T> motion =
-            motions<Lane>(elements, i, j, D, bonds.length.template load<Lane>(k),
+            motions<Lane>(elements, i, j, held, D, bonds.length.template load<Lane>(k),
                           bonds.inverse_length.template load<Lane>(k), bonds.share_i.template load<Lane>(k));
         const std::size_t at = k - begin;
         Lane::store(block.inverse_length + at, motion.inverse_length);

@@ -97,7 +97,7 @@ void measure_facets(const FacetRows& rows, const ElementRows& elements, std::siz
         const typename Lane::Picked j(rows.j + k);
         const Vector2<T> D{rows.Dx.template load<Lane>(k), rows.Dy.template load<Lane>(k)};
         const law::BondMotion<T> motion =
-            motions<Lane>(elements, i, j, D, rows.length.template load<Lane>(k),
+            motions<Lane>(elements, i, j, held, D, rows.length.template load<Lane>(k),
                           rows.inverse_length.template load<Lane>(k), rows.share_i.template load<Lane>(k));
         const Vector q = elastic_part<Lane>(rows, k, motion.stretch, motion.shear,
                                             j.of(elements.rotation) - i.of(elements.rotation));
