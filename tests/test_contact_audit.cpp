@@ -110,7 +110,11 @@ TEST_CASE("a contact that pushes apart harder than it was pushed is found out", 
         for (int k = 0; k < 4000; ++k) {
             step::advance(state, stepper);
             const bool parting = state.contacts.size() > 0 && state.elements.vx[1] > state.elements.vx[0];
-            if (parting) state.contacts.fx[0] *= 1.1;
+            if (parting) {
+                state::PairForce stronger = state.contacts.forces.at(0);
+                stronger.f.x *= 1.1;
+                state.contacts.forces.set(0, stronger);
+            }
             audit.book(state);
         }
     };

@@ -165,8 +165,9 @@ TEST_CASE("a bond that breaks leaves a contact without a jump in force or energy
     sim.run(2e-2, {test::watching(0.0, [&](observe::Simulation& now) {
                 const state::State& state = now.state();
                 const auto& bonds = std::get<state::BondSet<law::Plateau>>(state.bond_sets[0]);
-                const double pressure =
-                    now.broken_bonds() == 0 ? -bonds.fx[0] : (state.contacts.size() > 0 ? -state.contacts.fx[0] : 0.0);
+                const double pressure = now.broken_bonds() == 0
+                                            ? -bonds.forces.at(0).f.x
+                                            : (state.contacts.size() > 0 ? -state.contacts.forces.at(0).f.x : 0.0);
                 if (now.step() > 0) largest_jump = std::max(largest_jump, std::fabs(pressure - before));
                 before = pressure;
             })});

@@ -91,8 +91,8 @@ TEST_CASE("bonds in single precision take less room", "[mixed]") {
     const state::State mixed = state::assemble(swinging(model::Precision::mixed, false)).state;
     const auto& wide = std::get<state::BondSet<law::Elastic>>(full.bond_sets.front());
     const auto& narrow = std::get<state::BondSet<law::Elastic>>(mixed.bond_sets.front());
-    CHECK(wide.fx.rows().narrow == nullptr);
-    CHECK(narrow.fx.rows().wide == nullptr);
+    CHECK(wide.forces.rows().fx.narrow == nullptr);
+    CHECK(narrow.forces.rows().fx.wide == nullptr);
     CHECK(wide.length.even());
     CHECK(narrow.length[0] == wide.length[0]);
     CHECK(narrow.Dx[0] == static_cast<double>(static_cast<float>(wide.Dx[0])));

@@ -3,7 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
+#include <memory>
 #include <new>
+#include <utility>
 #include <vector>
 
 namespace demlua {
@@ -29,6 +32,44 @@ struct AlignedAllocator {
 
 template <class T>
 using Column = std::vector<T, AlignedAllocator<T>>;
+
+/// Hands out memory that is zero, and does not write zeros again: a large column of them takes no room before something is
+/// stored in it. Only for columns that are sized once: rows that are taken away and added again keep what they held.
+template <class T>
+struct ZeroAllocator {
+    using value_type = T;
+    static constexpr std::size_t alignment = 64;
+
+    ZeroAllocator() = default;
+    template <class U>
+    constexpr explicit ZeroAllocator(const ZeroAllocator<U>& /*other*/) {}
+
+    T* allocate(std::size_t n) {
+        std::size_t room = n * sizeof(T) + alignment;
+        void* whole = std::calloc(room + sizeof(void*), 1);
+        if (whole == nullptr) throw std::bad_alloc();
+        void* place = static_cast<char*>(whole) + sizeof(void*);
+        std::align(alignment, n * sizeof(T), place, room);
+        static_cast<void**>(place)[-1] = whole;
+        return static_cast<T*>(place);
+    }
+    void deallocate(T* p, std::size_t /*n*/) { std::free(reinterpret_cast<void**>(p)[-1]); }
+
+    template <class U>
+    void construct(U* /*place*/) {}
+    template <class U, class... From>
+    void construct(U* place, From&&... from) {
+        ::new (static_cast<void*>(place)) U(std::forward<From>(from)...);
+    }
+
+    template <class U>
+    friend constexpr bool operator==(const ZeroAllocator& /*a*/, const ZeroAllocator<U>& /*b*/) {
+        return true;
+    }
+};
+
+template <class T>
+using ZeroColumn = std::vector<T, ZeroAllocator<T>>;
 
 using Index = std::uint32_t;
 

@@ -213,6 +213,124 @@ DEMLUA_INLINE void store_records(double* to, LaneRecord<W> record) {
     }
 }
 
+/// Four numbers for each lane.
+template <std::size_t W>
+using LaneQuad = std::array<Lanes<W>, 4>;
+
+/// Four entries of two quads each, in the order of lanes, become columns: entry m holds the numbers m of all quads.
+DEMLUA_INLINE LaneQuad<8> columns_of(const LaneQuad<8>& pairs) {
+    std::array<LaneTypes<8>::Numbers, 4> half;
+    for (const std::size_t at : {0UL, 1UL}) {
+        const auto a = pairs[2 * at].v;
+        const auto b = pairs[2 * at + 1].v;
+        half[at] = __builtin_shufflevector(a, b, 0, 4, 8, 12, 1, 5, 9, 13);
+        half[at + 2] = __builtin_shufflevector(a, b, 2, 6, 10, 14, 3, 7, 11, 15);
+    }
+    LaneQuad<8> columns;
+    for (const std::size_t at : {0UL, 2UL}) {
+        columns[at].v = __builtin_shufflevector(half[at], half[at + 1], 0, 1, 2, 3, 8, 9, 10, 11);
+        columns[at + 1].v = __builtin_shufflevector(half[at], half[at + 1], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    return columns;
+}
+/// The way back.
+DEMLUA_INLINE LaneQuad<8> pairs_of(const LaneQuad<8>& columns) {
+    std::array<LaneTypes<8>::Numbers, 4> half;
+    for (const std::size_t at : {0UL, 2UL}) {
+        const auto a = columns[at].v;
+        const auto b = columns[at + 1].v;
+        half[at] = __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11);
+        half[at + 1] = __builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    LaneQuad<8> pairs;
+    for (const std::size_t at : {0UL, 1UL}) {
+        pairs[2 * at].v = __builtin_shufflevector(half[at], half[at + 2], 0, 4, 8, 12, 1, 5, 9, 13);
+        pairs[2 * at + 1].v = __builtin_shufflevector(half[at], half[at + 2], 2, 6, 10, 14, 3, 7, 11, 15);
+    }
+    return pairs;
+}
+/// Four quads become columns, or columns quads.
+DEMLUA_INLINE LaneQuad<4> columns_of(const LaneQuad<4>& quads) {
+    std::array<LaneTypes<4>::Numbers, 4> half;
+    for (const std::size_t at : {0UL, 1UL}) {
+        const auto a = quads[2 * at].v;
+        const auto b = quads[2 * at + 1].v;
+        half[at] = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+        half[at + 2] = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    }
+    LaneQuad<4> columns;
+    for (const std::size_t at : {0UL, 2UL}) {
+        columns[at / 2].v = __builtin_shufflevector(half[at], half[at + 1], 0, 1, 4, 5);
+        columns[at / 2 + 2].v = __builtin_shufflevector(half[at], half[at + 1], 2, 3, 6, 7);
+    }
+    return columns;
+}
+
+/// Quads of numbers that stand together in memory, picked out row by row.
+template <std::size_t W>
+DEMLUA_INLINE LaneQuad<W> picked_quads(const double* quads, const Index* rows) {
+    LaneQuad<W> found;
+    if constexpr (W == 8) {
+        for (std::size_t m = 0; m < 4; ++m) {
+            const auto a = loaded<4>(quads + 4 * std::size_t{rows[2 * m]}).v;
+            const auto b = loaded<4>(quads + 4 * std::size_t{rows[2 * m + 1]}).v;
+            found[m].v = __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
+        }
+        return columns_of(found);
+    } else if constexpr (W == 4) {
+        for (std::size_t l = 0; l < W; ++l) found[l] = loaded<4>(quads + 4 * std::size_t{rows[l]});
+        return columns_of(found);
+    } else {
+        for (std::size_t l = 0; l < W; ++l) {
+            for (std::size_t m = 0; m < 4; ++m) found[m].v[l] = quads[4 * std::size_t{rows[l]} + m];
+        }
+        return found;
+    }
+}
+
+/// W quads that follow each other, in double or single precision.
+template <std::size_t W, class Value>
+DEMLUA_INLINE void store_quads(Value* to, const LaneQuad<W>& columns) {
+    if constexpr (W == 8) {
+        const LaneQuad<8> pairs = pairs_of(columns);
+        for (std::size_t m = 0; m < 4; ++m) store(to + 8 * m, pairs[m]);
+    } else if constexpr (W == 4) {
+        const LaneQuad<4> quads = columns_of(columns);
+        for (std::size_t l = 0; l < 4; ++l) store(to + 4 * l, quads[l]);
+    } else {
+        for (std::size_t l = 0; l < W; ++l) {
+            for (std::size_t m = 0; m < 4; ++m) to[4 * l + m] = static_cast<Value>(columns[m].v[l]);
+        }
+    }
+}
+
+/// Sums of quads, one for each lane.
+template <std::size_t W>
+struct QuadSums {
+    std::array<Lanes<4>, W> lane{};
+
+    template <class Value>
+    DEMLUA_INLINE void add(const Value* quads, const Index* rows) {
+        for (std::size_t l = 0; l < W; ++l) lane[l] += loaded<4>(quads + 4 * std::size_t{rows[l]});
+    }
+    [[nodiscard]] DEMLUA_INLINE LaneQuad<W> columns() const {
+        LaneQuad<W> found;
+        if constexpr (W == 8) {
+            for (std::size_t m = 0; m < 4; ++m) {
+                found[m].v = __builtin_shufflevector(lane[2 * m].v, lane[2 * m + 1].v, 0, 1, 2, 3, 4, 5, 6, 7);
+            }
+            return columns_of(found);
+        } else if constexpr (W == 4) {
+            return columns_of(lane);
+        } else {
+            for (std::size_t l = 0; l < W; ++l) {
+                for (std::size_t m = 0; m < 4; ++m) found[m].v[l] = lane[l].v[m];
+            }
+            return found;
+        }
+    }
+};
+
 /// Whether any of W bytes is not zero.
 template <std::size_t W>
 DEMLUA_INLINE bool any_set(const std::uint8_t* bytes) {

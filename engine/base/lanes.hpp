@@ -56,6 +56,34 @@ T angle_of(T cosine, T sine) {
     return select(sine < 0.0, -angle, angle);
 }
 
+/// Cosine and sine of an angle.
+template <class T>
+struct Rotation {
+    T cosine, sine;
+};
+
+/// Of any angle, rad, below 2^20 turns, to a few units in the last place: series for a quarter of it, doubled twice.
+template <class T>
+Rotation<T> rotation_by(T angle) {
+    // 2 pi in two parts, of which the first has 33 bits.
+    constexpr double turn = 6.28318530693650245667;
+    constexpr double rest = 2.43084020260247689973e-10;
+    const T whole = nearest_whole(angle * (1.0 / (turn + rest)));
+    const T quarter = 0.25 * ((angle - whole * turn) - whole * rest);
+    const T q = quarter * quarter;
+    T s = T{1.0};
+    T c = T{1.0};
+    for (int n = 15; n > 1; n -= 2) s = 1.0 - q * (1.0 / (n * (n - 1))) * s;
+    for (int n = 16; n > 0; n -= 2) c = 1.0 - q * (1.0 / (n * (n - 1))) * c;
+    s = quarter * s;
+    for (int doubling = 0; doubling < 2; ++doubling) {
+        const T twice = s * c;
+        c = 1.0 - 2.0 * (s * s);
+        s = twice + twice;
+    }
+    return {c, s};
+}
+
 // Series about zero; the first term left out is below one unit in the last place. Terms are taken in pairs, so that few
 // operations wait for each other.
 

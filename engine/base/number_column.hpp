@@ -90,6 +90,7 @@ public:
     }
     /// Rounds every row to single precision, now and whenever it is set.
     void keep_single() {
+        if (wide_.empty()) return;
         narrow_.assign(wide_.size(), 0.0F);
         std::transform(wide_.begin(), wide_.end(), narrow_.begin(),
                        [](double wide) { return static_cast<float>(wide); });

@@ -10,13 +10,13 @@ namespace demlua {
 
 /// Of structures of numbers that list their members in `members`. Rows are read and written whole, by value; loops over
 /// several rows take the columns.
-template <class Struct>
+template <class Struct, template <class> class ColumnOf = Column>
 struct StructColumns {
     static constexpr std::size_t width = Struct::members.size();
-    std::array<Column<double>, width> columns;
+    std::array<ColumnOf<double>, width> columns;
 
     void resize(std::size_t rows) {
-        for (Column<double>& column : columns) column.resize(rows);
+        for (ColumnOf<double>& column : columns) column.resize(rows);
     }
 
     [[nodiscard]] Struct at(std::size_t row) const {
@@ -28,7 +28,7 @@ struct StructColumns {
 
     /// Of one member.
     template <auto member>
-    [[nodiscard]] const Column<double>& column() const {
+    [[nodiscard]] const ColumnOf<double>& column() const {
         std::size_t m = 0;
         while (m + 1 < width && !(Struct::members[m] == member)) ++m;
         return columns[m];

@@ -10,8 +10,6 @@ namespace demlua::bonding {
 
 namespace {
 
-constexpr std::size_t block = 256;
-
 /// Counter-clockwise from 30 degrees below the x axis, rad: no direction of close packing lies where it jumps.
 double direction(Vec2 from, Vec2 to) {
     constexpr double turn = 2.0 * std::numbers::pi;
@@ -46,8 +44,8 @@ std::vector<std::size_t> order_in_runs(const std::vector<Pair>& pairs, const std
 
     std::vector<std::size_t> order;
     order.reserve(pairs.size());
-    for (std::size_t begin = 0; begin < centre.size(); begin += block) {
-        const std::size_t end = std::min(begin + block, centre.size());
+    for (std::size_t begin = 0; begin < centre.size(); begin += run_block) {
+        const std::size_t end = std::min(begin + run_block, centre.size());
         for (std::size_t rank = 0; order.size() < first[end]; ++rank) {
             for (std::size_t e = begin; e < end; ++e) {
                 if (first[e] + rank < first[e + 1]) order.push_back(ranked[first[e] + rank]);

@@ -28,7 +28,7 @@ struct BondMotion {
     T shear;           ///< ut, m
 };
 
-/// Any motion: what bond_motion takes for large ones.
+/// Any motion, where series do not reach.
 template <class T>
 BondMotion<T> large_motion(Vector2<T> D, T l, Vector2<T> du, T turn) {
     const Vector2<T> span = D + du;
@@ -41,10 +41,9 @@ BondMotion<T> large_motion(Vector2<T> D, T l, Vector2<T> du, T turn) {
             l * (shear_angle - revolutions * (2.0 * std::numbers::pi))};
 }
 
-/// `D` the bond's vector at bonding (i to j, length l, inverse_l = 1/l), `du` how much farther j has moved than i: the
-/// difference of displacements, so that a small stretch is not lost in large coordinates. `turn` = s_i theta_i + s_j theta_j.
-template <class T>
-DEMLUA_INLINE BondMotion<T> bond_motion(Vector2<T> D, T l, T inverse_l, Vector2<T> du, T turn) {
+/// By series, from D and du in a frame in which the elements have turned by `turn`; `large` says where these do not reach.
+template <class T, class Mask>
+DEMLUA_INLINE BondMotion<T> motion_by_series(Vector2<T> D, T l, T inverse_l, Vector2<T> du, T turn, Mask& large) {
     const T per_square = inverse_l * inverse_l;
     const T along = dot(D, du);
     const T growth = (along + along + dot(du, du)) * per_square;
@@ -52,17 +51,38 @@ DEMLUA_INLINE BondMotion<T> bond_motion(Vector2<T> D, T l, T inverse_l, Vector2<
     const T inverse_d = inverse_l * inverse_growth(strain);
     const T sine = cross(D, du) * (inverse_l * inverse_d);
     const T shear_angle = angle_of_small(sine) - turn;
-    BondMotion<T> motion{inverse_d, inverse_d * (D + du), l * strain, l * shear_angle};
+    large = either(either(magnitude(growth) > small_growth, magnitude(sine) > small_sine),
+                   either(along * per_square<-0.5, magnitude(shear_angle)> 1.0));
+    return {inverse_d, inverse_d * (D + du), l * strain, l * shear_angle};
+}
 
-    const auto large = either(either(magnitude(growth) > small_growth, magnitude(sine) > small_sine),
-                              either(along * per_square<-0.5, magnitude(shear_angle)> 1.0));
-    if (any(large)) [[unlikely]] {
-        const BondMotion<T> exact = large_motion(D, l, du, turn);
-        motion = {select(large, exact.inverse_length, motion.inverse_length),
-                  {select(large, exact.normal.x, motion.normal.x), select(large, exact.normal.y, motion.normal.y)},
-                  select(large, exact.stretch, motion.stretch),
-                  select(large, exact.shear, motion.shear)};
-    }
+template <class T, class Mask>
+DEMLUA_INLINE BondMotion<T> select_motion(Mask mask, const BondMotion<T>& yes, const BondMotion<T>& no) {
+    return {select(mask, yes.inverse_length, no.inverse_length),
+            {select(mask, yes.normal.x, no.normal.x), select(mask, yes.normal.y, no.normal.y)},
+            select(mask, yes.stretch, no.stretch),
+            select(mask, yes.shear, no.shear)};
+}
+
+/// What has turned far, as fragments do, by series in a frame that turns with it; what is left exactly.
+template <class T>
+BondMotion<T> turned_motion(Vector2<T> D, T l, T inverse_l, Vector2<T> du, T turn) {
+    const Rotation<T> by = rotation_by(turn);
+    const Vector2<T> turned{by.cosine * D.x - by.sine * D.y, by.sine * D.x + by.cosine * D.y};
+    decltype(l > l) large;
+    BondMotion<T> motion = motion_by_series(turned, l, inverse_l, (D + du) - turned, T{}, large);
+    if (any(large)) motion = select_motion(large, large_motion(D, l, du, turn), motion);
+    return motion;
+}
+
+/// `D` the bond's vector at bonding (i to j, length l, inverse_l = 1/l), `du` how much farther j has moved than i: the
+/// difference of displacements, so that a small stretch is not lost in large coordinates. `turn` = s_i theta_i + s_j theta_j.
+template <class T>
+DEMLUA_INLINE BondMotion<T> bond_motion(Vector2<T> D, T l, T inverse_l, Vector2<T> du, T turn) {
+    decltype(l > l) large;
+    BondMotion<T> motion = motion_by_series(D, l, inverse_l, du, turn, large);
+    if (any(large)) [[unlikely]]
+        motion = select_motion(large, turned_motion(D, l, inverse_l, du, turn), motion);
     return motion;
 }
 

@@ -69,7 +69,7 @@ void add_bonds(const state::State& state, const Bonds& bonds, Ledger& ledger) {
         if constexpr (Bonds::law::yields) ledger.plastic += bonds.history.at(k).work;
     }
     ledger.bonds += energy_of_cells(bonds);
-    for (const double spent : bonds.dashpots.spent) ledger.bond_damping += spent;
+    ledger.bond_damping += bonds.dashpots.spent.total();
     ledger.fracture += bonds.fracture_work;
 }
 

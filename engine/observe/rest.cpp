@@ -22,16 +22,17 @@ struct Mean {
 
 double force_in_pairs(const state::State& state) {
     Mean mean;
-    const auto add = [&](const auto& fx, const auto& fy, std::size_t rows) {
-        for (std::size_t k = 0; k < rows; ++k) {
-            if (fx[k] != 0.0 || fy[k] != 0.0) mean.add(norm(Vec2{fx[k], fy[k]}));
-        }
+    const auto add = [&](Vec2 f) {
+        if (f != Vec2{}) mean.add(norm(f));
     };
-    add(state.contacts.fx, state.contacts.fy, state.contacts.size());
-    for (const state::AnyBondSet& any : state.bond_sets) {
-        std::visit([&](const auto& bonds) { add(bonds.fx, bonds.fy, bonds.size()); }, any);
+    const auto add_pairs = [&](const auto& pairs) {
+        for (std::size_t k = 0; k < pairs.size(); ++k) add(pairs.forces.at(k).f);
+    };
+    add_pairs(state.contacts);
+    for (const state::AnyBondSet& any : state.bond_sets) std::visit(add_pairs, any);
+    for (std::size_t c = 0; c < state.wall_contacts.size(); ++c) {
+        add({state.wall_contacts.fx[c], state.wall_contacts.fy[c]});
     }
-    add(state.wall_contacts.fx, state.wall_contacts.fy, state.wall_contacts.size());
     return mean.value();
 }
 

@@ -16,7 +16,7 @@ void add_pairs(const Pairs& pairs, const state::Elements& elements, Period perio
         Vec2 span = elements.position(j) - elements.position(i);
         if (period.repeats()) span = period.shortest(span);
         const double share = elements.radius[i] / (elements.radius[i] + elements.radius[j]);
-        const Vec2 f{pairs.fx[k], pairs.fy[k]};
+        const Vec2 f = pairs.forces.at(k).f;
         stress[i].add(f, share * span);
         stress[j].add(-f, (share - 1.0) * span);
     }
@@ -30,7 +30,7 @@ void add_pairs(const state::FacetSet<Law>& bonds, const state::Elements& element
         const Vec2 span = elements.position(bonds.j[k]) - elements.position(bonds.i[k]);
         const double length = norm(span);
         const step::FacetArms arms = step::facet_arms(bonds, k, span / length, length);
-        const Vec2 f{bonds.fx[k], bonds.fy[k]};
+        const Vec2 f = bonds.forces.at(k).f;
         stress[bonds.i[k]].add(f, arms.of_i);
         stress[bonds.j[k]].add(-f, arms.of_j);
     }

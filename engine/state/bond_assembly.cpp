@@ -40,11 +40,22 @@ std::vector<bonding::Pair> neighbours(const packing::Cells& cells) {
 }
 
 template <class Row>
-std::vector<Row> in_runs(const std::vector<Row>& rows, const std::vector<bonding::Pair>& pairs, const Disks& disks) {
+std::vector<Row> ordered_in_runs(const std::vector<Row>& rows, const std::vector<bonding::Pair>& pairs,
+                                 const Disks& disks) {
     std::vector<Row> ordered;
     ordered.reserve(rows.size());
     for (const std::size_t row : bonding::order_in_runs(pairs, disks.centre)) ordered.push_back(rows[row]);
     return ordered;
+}
+
+/// Whether most bonds are of the elements that follow those of the bond before.
+template <class Law>
+bool in_runs(const BondTable<Law>& bonds) {
+    std::size_t follow = 0;
+    for (std::size_t k = 1; k < bonds.size(); ++k) {
+        if (bonds.i[k] == bonds.i[k - 1] + 1 && bonds.j[k] == bonds.j[k - 1] + 1) ++follow;
+    }
+    return 2 * follow > bonds.size();
 }
 
 /// Everything about the pairs but what holds them.
@@ -71,17 +82,39 @@ void lay_out(BondTable<Law>& bonds, const State& state, const std::vector<bondin
         bonds.radius.push_back(0.5 * (elements.radius[i] + elements.radius[j]));
     }
     bonds.history.resize(pairs.size());
-    for (NumberColumn* column : {&bonds.fx, &bonds.fy, &bonds.moment_i, &bonds.moment_j}) {
-        column->resize(pairs.size() + 1);
+    if (in_runs(bonds)) {
+        bonds.forces.lay_out_columns(pairs.size() + 1);
+    } else {
+        bonds.forces.lay_out_quads(pairs.size() + 1);
+        bonds.moved.resize(4 * body.size());
     }
     if constexpr (Law::breaks) bonds.broken.resize(pairs.size());
     bonds.slots = slots_of(bonds.i, bonds.j, body.first, body.size());
 }
 
-void grow_dashpots(BondDashpots& dashpots, std::size_t rows) {
-    for (Column<double>* column : {&dashpots.Cn, &dashpots.Ct, &dashpots.normal, &dashpots.shear, &dashpots.spent}) {
-        column->resize(rows);
+/// What is as large in every bond but for rounding in the places of elements takes one number; those may stand a thousand
+/// bonds and more from the origin.
+constexpr double rounding = 1e-11;
+
+/// Adds dashpots, or to those there are: `extra(k)` gives {N s/m, N s/m} for the bond k.
+template <class Law, class Extra>
+void raise_dashpots(BondTable<Law>& bonds, const Extra& extra) {
+    BondDashpots& dashpots = bonds.dashpots;
+    NumberColumn Cn;
+    NumberColumn Ct;
+    for (std::size_t k = 0; k < bonds.size(); ++k) {
+        const law::ContactStiffness more = extra(k);
+        Cn.push_back((dashpots.present() ? dashpots.Cn[k] : 0.0) + more.normal);
+        Ct.push_back((dashpots.present() ? dashpots.Ct[k] : 0.0) + more.shear);
     }
+    Cn.even_out(rounding);
+    Ct.even_out(rounding);
+    dashpots.Cn = std::move(Cn);
+    dashpots.Ct = std::move(Ct);
+    dashpots.normal.resize(bonds.size());
+    dashpots.shear.resize(bonds.size());
+    dashpots.spent.cover(bonds.size());
+    bonds.speeds.resize(bonds.moved.size());
 }
 
 template <class Law>
@@ -103,13 +136,11 @@ law::ContactStiffness stiffness_of(const FacetSet<Law>& bonds, std::size_t k) {
 /// Dashpots at a fraction of the critical damping 2 sqrt(K m) of each bond, m the reduced mass of its elements.
 template <class Bonds>
 void add_dashpots(Bonds& bonds, const Elements& elements, double fraction) {
-    grow_dashpots(bonds.dashpots, bonds.size());
-    for (std::size_t k = 0; k < bonds.size(); ++k) {
+    raise_dashpots(bonds, [&](std::size_t k) -> law::ContactStiffness {
         const double m = 1.0 / (elements.inverse_mass[bonds.i[k]] + elements.inverse_mass[bonds.j[k]]);
         const law::ContactStiffness spring = stiffness_of(bonds, k);
-        bonds.dashpots.Cn[k] += 2.0 * fraction * std::sqrt(spring.normal * m);
-        bonds.dashpots.Ct[k] += 2.0 * fraction * std::sqrt(spring.shear * m);
-    }
+        return {2.0 * fraction * std::sqrt(spring.normal * m), 2.0 * fraction * std::sqrt(spring.shear * m)};
+    });
 }
 
 template <class Law>
@@ -129,7 +160,7 @@ FacetSet<Law> facets_of(const State& state, const BondedBody& said, double dampi
     const Body& body = state.bodies[said.body];
     const Disks disks = disks_of(state, body);
     packing::Cells cells = *said.cells;
-    cells.facets = in_runs(cells.facets, neighbours(cells), disks);
+    cells.facets = ordered_in_runs(cells.facets, neighbours(cells), disks);
     const bonding::FacetNetwork network =
         bonding::facet_network(cells, disks.centre, disks.radius, moduli, state.thickness);
     FacetSet<Law> bonds;
@@ -141,14 +172,13 @@ FacetSet<Law> facets_of(const State& state, const BondedBody& said, double dampi
     return bonds;
 }
 
-/// In a close packing all bonds are as long, but for rounding in the places of elements.
+/// In a close packing all bonds are as long.
 template <class Law>
 void even_out(BondSet<Law>& bonds) {
-    constexpr double rounding = 1e-11; // of places a thousand bonds and more from the origin
     for (NumberColumn* column : {&bonds.length, &bonds.inverse_length, &bonds.share_i, &bonds.radius}) {
         column->even_out(rounding);
     }
-    if (bonds.share_i.even() && bonds.share_i[0] == 0.5) bonds.moment_j.clear();
+    if (bonds.share_i.even() && bonds.share_i[0] == 0.5) bonds.forces.share_moments();
 }
 
 template <class Law>
@@ -185,7 +215,7 @@ AnyBondSet bonds_of(const State& state, const BondedBody& said, const Choice& ch
                                                ? neighbours(*said.cells)
                                                : bonding::pairs_within(disks.centre, disks.radius, choice.search);
         if (state.bodies[said.body].in_clusters) keep_within_clusters(state, state.bodies[said.body], pairs);
-        return pairs_of<Law>(state, said, choice.damping, in_runs(pairs, pairs, disks), law.params);
+        return pairs_of<Law>(state, said, choice.damping, ordered_in_runs(pairs, pairs, disks), law.params);
     }
 }
 
@@ -232,12 +262,10 @@ std::optional<AnyBondSet> bond_body(const State& state, const BondedBody& said, 
 void add_stiffness_damping(AnyBondSet& any, double beta) {
     std::visit(
         [&](auto& bonds) {
-            if (!bonds.dashpots.present()) grow_dashpots(bonds.dashpots, bonds.size());
-            for (std::size_t k = 0; k < bonds.size(); ++k) {
+            raise_dashpots(bonds, [&](std::size_t k) -> law::ContactStiffness {
                 const law::ContactStiffness spring = stiffness_of(bonds, k);
-                bonds.dashpots.Cn[k] += beta * spring.normal;
-                bonds.dashpots.Ct[k] += beta * spring.shear;
-            }
+                return {beta * spring.normal, beta * spring.shear};
+            });
         },
         any);
 }

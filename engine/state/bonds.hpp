@@ -5,7 +5,10 @@
 #include "engine/base/number_column.hpp"
 #include "engine/law/facet.hpp"
 #include "engine/law/laws.hpp"
+#include "engine/state/bands.hpp"
 #include "engine/state/history.hpp"
+#include "engine/state/lane_sums.hpp"
+#include "engine/state/pair_forces.hpp"
 #include "engine/state/pair_slots.hpp"
 
 #include <array>
@@ -19,9 +22,9 @@ namespace demlua::state {
 
 /// Dashpots beside the springs; empty columns when the bonds have none.
 struct BondDashpots {
-    Column<double> Cn, Ct;        ///< N s/m
+    NumberColumn Cn, Ct;          ///< N s/m
     Column<double> normal, shear; ///< dashpot forces at the last instant, N
-    Column<double> spent;         ///< J
+    LaneSums spent;               ///< by the rows, J
 
     [[nodiscard]] bool present() const { return !Cn.empty(); }
 };
@@ -43,12 +46,16 @@ struct BondTable {
     NumberColumn inverse_length; ///< 1/m
     NumberColumn share_i;        ///< of the length that belongs to i
     NumberColumn radius;         ///< mean of the two, m
-    HistoryColumns<History> history;
+    LazyHistoryColumns<History> history;
     bool remembers = false; ///< whether any row of `history` may be other than zero
     BondDashpots dashpots;
 
-    NumberColumn fx, fy;             ///< on i; on j the opposite, N; a row of zeros after the last, for `slots`
-    NumberColumn moment_i, moment_j; ///< N m; likewise. moment_j is empty where it is moment_i throughout
+    PairForces forces; ///< with a row of zeros after the last, for `slots`
+
+    // Only where neighbouring bonds are not of neighbouring elements: of each element of the body four numbers that stand
+    // together, so that one looked up costs one line of memory.
+    Column<double> moved;  ///< displacement, m, rotation, and the pressure of its cell, if there is one
+    Column<double> speeds; ///< velocity, m/s, and spin; empty without dashpots
 
     // only for laws that break
     Column<std::uint8_t> broken;
@@ -61,11 +68,6 @@ struct BondTable {
     PairSlots slots;
 
     [[nodiscard]] std::size_t size() const { return i.size(); }
-    [[nodiscard]] const NumberColumn& moments_of_j() const { return moment_j.empty() ? moment_i : moment_j; }
-    [[nodiscard]] NumberColumn& moments_of_j() { return moment_j.empty() ? moment_i : moment_j; }
-    void let_go_of_force(std::size_t bond) {
-        for (NumberColumn* column : {&fx, &fy, &moment_i, &moments_of_j()}) column->set(bond, 0.0);
-    }
     /// Marks `bond` as broken at `when`; the contact it leaves has the reference length `reference`.
     void note_break(std::size_t bond, double when, double reference) {
         contact_length.resize(size());
@@ -74,14 +76,14 @@ struct BondTable {
         ++broken_count;
         contact_length[bond] = reference;
         break_time[bond] = when;
-        let_go_of_force(bond);
+        forces.set(bond, {});
     }
     /// What a row is read for at every step, in single precision from now on: all but what bonds remember.
     void keep_single() {
-        for (NumberColumn* column :
-             {&Dx, &Dy, &length, &inverse_length, &share_i, &radius, &fx, &fy, &moment_i, &moment_j}) {
+        for (NumberColumn* column : {&Dx, &Dy, &length, &inverse_length, &share_i, &radius}) {
             if (!column->even()) column->keep_single();
         }
+        forces.keep_single();
     }
     void remember(std::size_t bond, const History& past) {
         history.store(bond, past);
@@ -122,6 +124,8 @@ struct FacetSet : BondTable<Law> {
     NumberColumn centre;                                        ///< of the facet, from the bond's line along t, m
     double twice_shear = 0.0;                                   ///< 2G b of the body, N/m
     Column<double> pressure_per_growth; ///< b lam/V of each cell, N/m^3; rows from the body's first element on
+
+    Bands bands; ///< in which a step's two passes follow each other
 
     // as computed in the first of the two passes of a step
     MotionColumns motion;

@@ -8,6 +8,7 @@
 #include "engine/law/spent.hpp"
 #include "engine/state/history.hpp"
 #include "engine/state/lane_sums.hpp"
+#include "engine/state/pair_forces.hpp"
 #include "engine/state/pair_slots.hpp"
 
 #include <array>
@@ -53,8 +54,7 @@ struct Contacts {
     Column<double> reference; ///< distance at which they touch, m
     Column<double> share_i;   ///< R_i/(R_i + R_j)
     Column<double> Cn;        ///< N s/m
-    Column<double> fx, fy;    ///< on i; on j the opposite, N; zeros in the row `slots` names where there is no pair
-    Column<double> moment_i, moment_j; ///< N m; likewise
+    PairForces forces;        ///< in quads; zeros in the row `slots` names where there is no pair
     HistoryColumns<ContactHistory> history;
     LaneSums friction, damped; ///< spent by the rows but in rolling, J
     Column<double> slid;       ///< the friction of each row, J; empty where no element wears
@@ -68,7 +68,6 @@ struct Contacts {
     law::Spent<double> booked; ///< in contacts that are no longer listed
 
     [[nodiscard]] std::size_t size() const { return i.size(); }
-    [[nodiscard]] const Column<double>& moments_of_j() const { return moment_j; }
     /// By contacts of now and before, rolling of now left out, J.
     [[nodiscard]] law::Spent<double> spent() const {
         return {booked.friction + friction.total(), booked.damped + damped.total()};

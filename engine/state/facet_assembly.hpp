@@ -74,6 +74,7 @@ void fill_facets(FacetSet<Law>& bonds, const bonding::FacetNetwork& network, con
     if (single) bonds.keep_single();
     fill_springs(bonds);
     bonds.pressure.resize(network.volume.size());
+    bonds.bands = bands_of(bonds.i, bonds.j, bonds.slots.first, bonds.slots.elements);
     if constexpr (Law::breaks) {
         find_yielding_stiffness(bonds);
         for (Column<double>* column : {&bonds.normal, &bonds.shear, &bonds.normal_before, &bonds.shear_before}) {

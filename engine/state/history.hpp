@@ -8,4 +8,8 @@ namespace demlua::state {
 template <class History>
 using HistoryColumns = StructColumns<History>;
 
+/// For tables that are sized once, and in which most rows remember nothing.
+template <class History>
+using LazyHistoryColumns = StructColumns<History, ZeroColumn>;
+
 } // namespace demlua::state

@@ -9,7 +9,7 @@
 namespace demlua::state {
 
 /// Each run of 64 rows has eight sums, for every eighth row of it: a loop adds a row to the one at `place(row)`. Loops may be
-/// shared between threads at multiples of 64 rows.
+/// shared between threads at multiples of 64 rows. A loop of several rows at a time begins at multiples of their number.
 struct LaneSums {
     static constexpr std::size_t run = 64;
     static constexpr std::size_t lanes = 8;

@@ -38,4 +38,16 @@ void for_each_pair_of(const PairSlots& slots, std::size_t element, const F& f) {
     }
 }
 
+/// The same for those of which `element` is the i.
+template <class F>
+void for_each_pair_from(const PairSlots& slots, std::size_t element, const F& f) {
+    constexpr std::size_t block = PairSlots::block;
+    const std::size_t e = element - slots.first;
+    const Index* start = slots.start.data() + 2 * (e / block);
+    for (Index slot = start[0]; slot < start[1]; ++slot) {
+        const Index row = slots.row[block * slot + e % block];
+        if (row != slots.none) f(std::size_t{row});
+    }
+}
+
 } // namespace demlua::state

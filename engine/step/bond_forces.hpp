@@ -16,17 +16,19 @@ namespace demlua::step {
 template <class Law>
 DEMLUA_INLINE law::BondMotion<double> motion_of(const state::BondTable<Law>& bonds, const state::Elements& elements,
                                                 std::size_t k) {
-    return motions<OneLane>(rows_of(elements), OneLane::Picked(&bonds.i[k]), OneLane::Picked(&bonds.j[k]),
-                            OneLane::Held(nullptr), Vec2{bonds.Dx[k], bonds.Dy[k]}, bonds.length[k],
-                            bonds.inverse_length[k], bonds.share_i[k]);
+    const ElementRows rows = rows_of(elements);
+    return motions(displacements<OneLane>(rows, &bonds.i[k]), displacements<OneLane>(rows, &bonds.j[k]),
+                   OneLane::Held(nullptr), Vec2{bonds.Dx[k], bonds.Dy[k]}, bonds.length[k], bonds.inverse_length[k],
+                   bonds.share_i[k]);
 }
 
 /// Speeds at which a bond stretches and shears, m/s, from the velocities of the last half step.
 template <class Law>
 law::BondForce<double> rates_of(const state::BondTable<Law>& bonds, const state::Elements& elements, std::size_t k,
                                 const law::BondMotion<double>& motion) {
-    return rates<OneLane>(rows_of(elements), OneLane::Picked(&bonds.i[k]), OneLane::Picked(&bonds.j[k]), motion.normal,
-                          motion.inverse_length, bonds.length[k], bonds.share_i[k]);
+    const ElementRows rows = rows_of(elements);
+    return rates(velocities<OneLane>(rows, &bonds.i[k]), velocities<OneLane>(rows, &bonds.j[k]), motion.normal,
+                 motion.inverse_length, bonds.length[k], bonds.share_i[k]);
 }
 
 template <class Law>
@@ -57,12 +59,29 @@ double stored_energy(const state::BondSet<Law>& bonds, const state::Elements& el
     return Law::stored_energy(bonds.params, motion_of(bonds, elements, k), bonds.history.at(k));
 }
 
-/// Fills fx .. moment_j of the bonds of one share. Bonds that are to break are marked so and left for settle_broken.
+/// Brings the quads of the elements of a body up to date, where its bonds are looked up in them.
+template <class Law>
+void fill_quads(state::BondTable<Law>& bonds, const state::Elements& elements, const Kernels& kernels, Team& team) {
+    if (bonds.moved.empty()) return;
+    const std::size_t first = bonds.slots.first;
+    team.share(bonds.slots.elements, [&](Share part) {
+        run_rows(kernels, part, [&](const Kernels& width, std::size_t begin, std::size_t end) {
+            const auto fill = [&](const Column<double>& x, const Column<double>& y, const Column<double>& turn,
+                                  Column<double>& quads) {
+                width.fill_quads({x.data() + first, y.data() + first, turn.data() + first}, quads.data(), begin, end);
+            };
+            fill(elements.ux, elements.uy, elements.rotation, bonds.moved);
+            if (!bonds.speeds.empty()) fill(elements.vx, elements.vy, elements.spin, bonds.speeds);
+        });
+    });
+}
+
+/// Fills the forces of the bonds of one share. Bonds that are to break are marked so and left for settle_broken.
 template <class Law>
 Happened bond_forces(state::BondSet<Law>& bonds, const state::Elements& elements, double dt, Share part,
                      const Kernels& kernels) {
     const BondRows<Law> rows = rows_of(bonds);
-    const ElementRows moving = rows_of(elements);
+    const ElementRows moving = rows_of(elements, bonds);
     Happened happened;
     const bool fits = std::get<PairKernels<Law>>(kernels.bonds).plain != nullptr;
     run_rows(fits ? kernels : kernels_of(1), part, [&](const Kernels& width, std::size_t begin, std::size_t end) {

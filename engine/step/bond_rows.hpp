@@ -14,9 +14,10 @@
 
 namespace demlua::step {
 
-/// Where the columns of elements begin.
+/// Where the columns of elements begin, and the quads that state::BondTable keeps of some of them, if it does.
 struct ElementRows {
     const double *ux, *uy, *rotation, *vx, *vy, *spin;
+    const double *moved = nullptr, *speeds = nullptr;
 };
 
 /// Where the columns of a bond set begin; those of dashpots and of breaking are null where there are none.
@@ -29,15 +30,27 @@ struct BondRows {
     NumberRows Dx, Dy, length, inverse_length, share_i, radius;
     std::array<double*, History::members.size()> history;
     bool remembers; ///< whether `history` may be other than zero
-    const double *Cn, *Ct;
-    double *dashpot_normal, *dashpot_shear, *spent;
-    NumberTargets fx, fy, moment_i, moment_j;
+    NumberRows Cn, Ct;
+    double *dashpot_normal, *dashpot_shear;
+    double* spent; ///< of state::LaneSums
+    state::ForceTargets forces;
     std::uint8_t* broken;
 };
 
 inline ElementRows rows_of(const state::Elements& elements) {
     return {elements.ux.data(), elements.uy.data(), elements.rotation.data(),
             elements.vx.data(), elements.vy.data(), elements.spin.data()};
+}
+
+template <class Law>
+ElementRows rows_of(const state::Elements& elements, const state::BondTable<Law>& bonds) {
+    ElementRows rows = rows_of(elements);
+    const auto of_element_0 = [&](const Column<double>& quads) {
+        return quads.empty() ? nullptr : quads.data() - 4 * bonds.slots.first;
+    };
+    rows.moved = of_element_0(bonds.moved);
+    rows.speeds = of_element_0(bonds.speeds);
+    return rows;
 }
 
 template <class Law>
@@ -53,15 +66,12 @@ BondRows<Law> rows_of(state::BondSet<Law>& bonds) {
                        bonds.radius.rows(),
                        {},
                        bonds.remembers || law::follows_rate<Law>,
-                       bonds.dashpots.Cn.data(),
-                       bonds.dashpots.Ct.data(),
+                       bonds.dashpots.Cn.rows(),
+                       bonds.dashpots.Ct.rows(),
                        bonds.dashpots.normal.data(),
                        bonds.dashpots.shear.data(),
-                       bonds.dashpots.spent.data(),
-                       bonds.fx.targets(),
-                       bonds.fy.targets(),
-                       bonds.moment_i.targets(),
-                       bonds.moments_of_j().targets(),
+                       bonds.dashpots.spent.sums.data(),
+                       bonds.forces.targets(),
                        bonds.broken.data()};
     for (std::size_t m = 0; m < rows.history.size(); ++m) rows.history[m] = bonds.history.columns[m].data();
     return rows;
@@ -86,29 +96,54 @@ struct Happened {
     }
 };
 
-/// Fills fx .. moment_j of the rows [begin, end), a whole multiple of the kernel's width, for the present instant. Rows that
+/// Fills the forces of the rows [begin, end), a whole multiple of the kernel's width, for the present instant. Rows that
 /// fail in it are marked state::failing in `broken`.
 template <class Law>
 using BondKernel = Happened (*)(const BondRows<Law>& bonds, const ElementRows& elements, double dt, std::size_t begin,
                                 std::size_t end);
 
+/// How far elements have moved, or how fast they do.
+template <class T>
+struct Moved {
+    Vector2<T> along;
+    T turn;
+};
+
+template <class Lane>
+DEMLUA_INLINE Moved<typename Lane::Number> displacements(const ElementRows& elements, const Index* rows) {
+    if (elements.moved != nullptr) {
+        const typename Lane::Quad quad = Lane::pick_quads(elements.moved, rows);
+        return {{quad[0], quad[1]}, quad[2]};
+    }
+    const typename Lane::Picked at(rows);
+    return {{at.of(elements.ux), at.of(elements.uy)}, at.of(elements.rotation)};
+}
+
+template <class Lane>
+DEMLUA_INLINE Moved<typename Lane::Number> velocities(const ElementRows& elements, const Index* rows) {
+    if (elements.speeds != nullptr) {
+        const typename Lane::Quad quad = Lane::pick_quads(elements.speeds, rows);
+        return {{quad[0], quad[1]}, quad[2]};
+    }
+    const typename Lane::Picked at(rows);
+    return {{at.of(elements.vx), at.of(elements.vy)}, at.of(elements.spin)};
+}
+
 /// Kinematics of bonds in the present configuration; s share of i in their length l. Where a bond no longer holds it is that
 /// of a bond at rest, so that none is asked for the large motions of what has parted.
-template <class Lane, class T>
-DEMLUA_INLINE law::BondMotion<T> motions(const ElementRows& elements, const typename Lane::Picked& i,
-                                         const typename Lane::Picked& j, const typename Lane::Held& held, Vector2<T> D,
-                                         T l, T inverse_l, T s) {
-    const T turn = held(s * i.of(elements.rotation) + (1.0 - s) * j.of(elements.rotation));
-    const Vector2<T> du{held(j.of(elements.ux) - i.of(elements.ux)), held(j.of(elements.uy) - i.of(elements.uy))};
+template <class Held, class T>
+DEMLUA_INLINE law::BondMotion<T> motions(const Moved<T>& i, const Moved<T>& j, const Held& held, Vector2<T> D, T l,
+                                         T inverse_l, T s) {
+    const T turn = held(s * i.turn + (1.0 - s) * j.turn);
+    const Vector2<T> du{held(j.along.x - i.along.x), held(j.along.y - i.along.y)};
     return law::bond_motion(D, l, inverse_l, du, turn);
 }
 
 /// Speeds at which bonds stretch and shear, m/s, from the velocities of the last half step.
-template <class Lane, class T>
-DEMLUA_INLINE law::BondForce<T> rates(const ElementRows& elements, const typename Lane::Picked& i,
-                                      const typename Lane::Picked& j, Vector2<T> normal, T inverse_d, T l, T s) {
-    const Vector2<T> v{j.of(elements.vx) - i.of(elements.vx), j.of(elements.vy) - i.of(elements.vy)};
-    const T spin = s * i.of(elements.spin) + (1.0 - s) * j.of(elements.spin);
+template <class T>
+DEMLUA_INLINE law::BondForce<T> rates(const Moved<T>& i, const Moved<T>& j, Vector2<T> normal, T inverse_d, T l, T s) {
+    const Vector2<T> v = j.along - i.along;
+    const T spin = s * i.turn + (1.0 - s) * j.turn;
     return {dot(v, normal), l * (dot(v, turned_left(normal)) * inverse_d - spin)};
 }
 
@@ -117,11 +152,12 @@ DEMLUA_INLINE law::BondForce<T> rates(const ElementRows& elements, const typenam
 template <class Lane, class Rows, class T, class Held>
 DEMLUA_INLINE void add_dashpots(const Rows& bonds, std::size_t k, const Held& held, law::BondForce<T> rate, double dt,
                                 law::BondForce<T>& force) {
-    const T normal = Lane::load(bonds.Cn + k) * rate.normal;
-    const T shear = Lane::load(bonds.Ct + k) * rate.shear;
+    const T normal = bonds.Cn.template load<Lane>(k) * rate.normal;
+    const T shear = bonds.Ct.template load<Lane>(k) * rate.shear;
     const T doubled = (Lane::load(bonds.dashpot_normal + k) + normal) * rate.normal +
                       (Lane::load(bonds.dashpot_shear + k) + shear) * rate.shear;
-    Lane::store(bonds.spent + k, Lane::load(bonds.spent + k) + held(0.5 * dt * doubled));
+    double* spent = bonds.spent + state::LaneSums::place(k);
+    Lane::store(spent, Lane::load(spent) + held(0.5 * dt * doubled));
     Lane::store(bonds.dashpot_normal + k, held(normal));
     Lane::store(bonds.dashpot_shear + k, held(shear));
     force.normal += normal;
@@ -132,11 +168,7 @@ DEMLUA_INLINE void add_dashpots(const Rows& bonds, std::size_t k, const Held& he
 template <class Lane, class Rows, class T>
 DEMLUA_INLINE void put_force(const Rows& bonds, std::size_t k, Vector2<T> n, T inverse_d, T normal, T couple,
                              T moment_i, T moment_j) {
-    const Vector2<T> f = normal * n + (couple * inverse_d) * turned_left(n);
-    bonds.fx.template store<Lane>(k, f.x);
-    bonds.fy.template store<Lane>(k, f.y);
-    bonds.moment_i.template store<Lane>(k, moment_i);
-    bonds.moment_j.template store<Lane>(k, moment_j);
+    bonds.forces.template store<Lane>(k, normal * n + (couple * inverse_d) * turned_left(n), moment_i, moment_j);
 }
 
 /// Motions of a few rows, which stay in the nearest memory between the two loops of a kernel.
@@ -152,12 +184,11 @@ void measure(const BondRows<Law>& bonds, const ElementRows& elements, std::size_
     for (std::size_t k = begin; k < end; k += Lane::width) {
         const typename Lane::Held held(Law::breaks ? bonds.broken + k : nullptr);
         if (held.none()) continue;
-        const typename Lane::Picked i(bonds.i + k);
-        const typename Lane::Picked j(bonds.j + k);
         const Vector2<T> D{bonds.Dx.template load<Lane>(k), bonds.Dy.template load<Lane>(k)};
         const law::BondMotion<T> motion =
-            motions<Lane>(elements, i, j, held, D, bonds.length.template load<Lane>(k),
-                          bonds.inverse_length.template load<Lane>(k), bonds.share_i.template load<Lane>(k));
+            motions(displacements<Lane>(elements, bonds.i + k), displacements<Lane>(elements, bonds.j + k), held, D,
+                    bonds.length.template load<Lane>(k), bonds.inverse_length.template load<Lane>(k),
+                    bonds.share_i.template load<Lane>(k));
         const std::size_t at = k - begin;
         Lane::store(block.inverse_length + at, motion.inverse_length);
         Lane::store(block.normal_x + at, motion.normal.x);
@@ -202,9 +233,9 @@ Happened respond(const BondRows<Law>& bonds, const ElementRows& elements, double
             happened.fails |= held.mark_failing(bonds.broken + k, Law::broken(bonds.params, radius, motion, history));
         }
         if constexpr (damped) {
-            const typename Lane::Picked i(bonds.i + k);
-            const typename Lane::Picked j(bonds.j + k);
-            const law::BondForce<T> rate = rates<Lane>(elements, i, j, motion.normal, motion.inverse_length, l, s);
+            const law::BondForce<T> rate =
+                rates(velocities<Lane>(elements, bonds.i + k), velocities<Lane>(elements, bonds.j + k), motion.normal,
+                      motion.inverse_length, l, s);
             add_dashpots<Lane>(bonds, k, held, rate, dt, force);
         }
         const T couple = held(force.shear * l);
@@ -246,6 +277,25 @@ struct OneLane {
         return record;
     }
     static void put_records(double* to, const Record& record) { std::copy(record.begin(), record.end(), to); }
+    using Quad = std::array<double, 4>;
+    struct QuadSum {
+        Quad sum{};
+        template <class Value>
+        void add(const Value* quads, const Index* rows) {
+            for (std::size_t m = 0; m < 4; ++m) sum[m] += static_cast<double>(quads[4 * std::size_t{*rows} + m]);
+        }
+        [[nodiscard]] Quad columns() const { return sum; }
+    };
+    static Quad pick_quads(const double* quads, const Index* rows) {
+        Quad quad;
+        std::copy_n(quads + 4 * std::size_t{*rows}, 4, quad.begin());
+        return quad;
+    }
+    template <class Value>
+    static void put_quads(Value* to, const Quad& quad) {
+        for (std::size_t m = 0; m < 4; ++m) to[m] = static_cast<Value>(quad[m]);
+    }
+    static void put_last(double* to, double last) { to[3] = last; }
     static bool any_marked(const std::uint8_t* marks) { return *marks != 0; }
 
     struct Picked {

@@ -48,7 +48,8 @@ template <class Law>
 void let_go_of_dashpots(state::BondTable<Law>& bonds, std::size_t k, law::BondForce<double> rate, double dt) {
     state::BondDashpots& dashpots = bonds.dashpots;
     if (!dashpots.present()) return;
-    dashpots.spent[k] -= 0.5 * dt * (dashpots.normal[k] * rate.normal + dashpots.shear[k] * rate.shear);
+    dashpots.spent.sums[state::LaneSums::place(k)] -=
+        0.5 * dt * (dashpots.normal[k] * rate.normal + dashpots.shear[k] * rate.shear);
     dashpots.normal[k] = dashpots.shear[k] = 0.0;
 }
 

@@ -43,13 +43,13 @@ Pair pair_of(const state::State& state, std::size_t c) {
     pair.along = dot(v, tangent);
     pair.sliding = pair.along - a_i * elements.spin[i] - (pair.distance - a_i) * elements.spin[j];
     pair.rolling = elements.spin[j] - elements.spin[i];
-    const Vec2 f{contacts.fx[c], contacts.fy[c]};
+    const Vec2 f = contacts.forces.at(c).f;
     pair.pressure = -dot(f, pair.normal);
     pair.shear = dot(f, tangent);
     const state::ContactHistory history = contacts.history.at(c);
     pair.dashpot = history.damping;
     pair.shear_dashpot = pair.shear - contacts.rules[contacts.rule[c]].Kt * history.shear;
-    if (contacts.rolls) pair.couple = contacts.moment_i[c] - pair.shear * a_i;
+    if (contacts.rolls) pair.couple = contacts.forces.at(c).moment_i - pair.shear * a_i;
     return pair;
 }
 

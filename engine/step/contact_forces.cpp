@@ -57,12 +57,13 @@ void add_late(const state::Contacts& contacts, state::Elements& elements) {
     for (std::size_t c = contacts.in_slots; c < contacts.size(); ++c) {
         const std::size_t i = contacts.i[c];
         const std::size_t j = contacts.j[c];
-        elements.fx[i] += contacts.fx[c];
-        elements.fy[i] += contacts.fy[c];
-        elements.moment[i] += contacts.moment_i[c];
-        elements.fx[j] -= contacts.fx[c];
-        elements.fy[j] -= contacts.fy[c];
-        elements.moment[j] += contacts.moment_j[c];
+        const state::PairForce force = contacts.forces.at(c);
+        elements.fx[i] += force.f.x;
+        elements.fy[i] += force.f.y;
+        elements.moment[i] += force.moment_i;
+        elements.fx[j] -= force.f.x;
+        elements.fy[j] -= force.f.y;
+        elements.moment[j] += force.moment_j;
     }
 }
 
@@ -76,10 +77,7 @@ ContactRows rows_of(state::Contacts& contacts) {
             contacts.reference.data(),
             contacts.share_i.data(),
             contacts.Cn.data(),
-            contacts.fx.data(),
-            contacts.fy.data(),
-            contacts.moment_i.data(),
-            contacts.moment_j.data(),
+            contacts.forces.targets(),
             begins_of(contacts.history),
             contacts.friction.sums.data(),
             contacts.damped.sums.data(),

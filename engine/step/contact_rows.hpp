@@ -59,7 +59,7 @@ struct ContactRows {
     const Index *i, *j;
     const Index* rule; ///< null where there is one rule
     const double *reference, *share_i, *Cn;
-    double *fx, *fy, *moment_i, *moment_j;
+    state::ForceTargets forces;
     std::array<double*, law::Coulomb::History<double>::members.size()> history;
     double *friction, *damped; ///< of state::LaneSums
     double* slid;              ///< null where no element wears
@@ -71,7 +71,7 @@ struct ContactRows {
     std::array<double*, law::Spent<double>::members.size()> turning_spent;
 };
 
-/// Fills fx .. moment_j of the contacts [begin, end), a whole multiple of the kernel's width, from the elements' records.
+/// Fills the forces of the contacts [begin, end), a whole multiple of the kernel's width, from the elements' records.
 using ContactKernel = void (*)(const ContactRows& contacts, const double* records, Period period, double dt,
                                std::size_t begin, std::size_t end);
 
@@ -93,9 +93,9 @@ DEMLUA_INLINE typename Lane::Number of_rule(const ContactRows& contacts, std::si
     return typename Lane::Picked(contacts.rule + k).of(column);
 }
 
-/// Adds the couples against rolling to the moments of rows.
+/// The couples against rolling, on i.
 template <class Lane, class T>
-DEMLUA_INLINE void resist_rolling(const ContactRows& contacts, std::size_t k, T pressure, T rolling, double dt) {
+DEMLUA_INLINE T resist_rolling(const ContactRows& contacts, std::size_t k, T pressure, T rolling, double dt) {
     auto history = loaded_members<Lane, law::Rolling::History<T>>(contacts.turning_history, k);
     auto spent = loaded_members<Lane, law::Spent<T>>(contacts.turning_spent, k);
     const T cap = of_rule<Lane>(contacts, k, contacts.rules.rolling_friction) *
@@ -105,8 +105,7 @@ DEMLUA_INLINE void resist_rolling(const ContactRows& contacts, std::size_t k, T 
         history, spent);
     store_members<Lane>(contacts.turning_history, k, history);
     store_members<Lane>(contacts.turning_spent, k, spent);
-    add_to<Lane, T>(contacts.moment_i + k, couple);
-    add_to<Lane, T>(contacts.moment_j + k, -couple);
+    return couple;
 }
 
 /// How some contacts move; in the nearest memory between the two loops of a kernel.
@@ -152,6 +151,9 @@ void press_contacts(const ContactRows& contacts, double dt, std::size_t begin, s
         const T overlap = Lane::load(block.overlap + at);
         auto history = loaded_members<Lane, Coulomb::History<T>>(contacts.history, k);
         T pressure{};
+        Vector2<T> f{};
+        T moment_i{};
+        T moment_j{};
         if (any(either(overlap > 0.0, either(magnitude(history.force) > 0.0, magnitude(history.damping) > 0.0)))) {
             const Coulomb::Constants<T> constants{of_rule<Lane>(contacts, k, contacts.rules.Kn),
                                                   of_rule<Lane>(contacts, k, contacts.rules.Kt),
@@ -166,19 +168,18 @@ void press_contacts(const ContactRows& contacts, double dt, std::size_t begin, s
             add_to<Lane, T>(contacts.damped + state::LaneSums::place(k), spent.damped);
             if (contacts.slid != nullptr) add_to<Lane, T>(contacts.slid + k, spent.friction);
             const Vector2<T> n{Lane::load(block.normal_x + at), Lane::load(block.normal_y + at)};
-            const Vector2<T> f = force.shear * turned_left(n) - force.pressure * n;
+            f = force.shear * turned_left(n) - force.pressure * n;
             const T a_i = Lane::load(block.arm_i + at);
-            Lane::store(contacts.fx + k, f.x);
-            Lane::store(contacts.fy + k, f.y);
-            Lane::store(contacts.moment_i + k, force.shear * a_i);
-            Lane::store(contacts.moment_j + k, force.shear * (Lane::load(block.distance + at) - a_i));
+            moment_i = force.shear * a_i;
+            moment_j = force.shear * (Lane::load(block.distance + at) - a_i);
             pressure = force.pressure;
-        } else {
-            for (double* column : {contacts.fx, contacts.fy, contacts.moment_i, contacts.moment_j}) {
-                Lane::store(column + k, T{});
-            }
         }
-        if constexpr (rolls) resist_rolling<Lane, T>(contacts, k, pressure, Lane::load(block.rolling + at), dt);
+        if constexpr (rolls) {
+            const T couple = resist_rolling<Lane, T>(contacts, k, pressure, Lane::load(block.rolling + at), dt);
+            moment_i += couple;
+            moment_j -= couple;
+        }
+        contacts.forces.template store<Lane>(k, f, moment_i, moment_j);
     }
 }
 

@@ -2,48 +2,90 @@
 #pragma once
 
 #include "engine/base/lanes.hpp"
-#include "engine/base/number_column.hpp"
+#include "engine/state/pair_forces.hpp"
 #include "engine/state/pair_slots.hpp"
 
+#include <array>
 #include <cstddef>
 
 namespace demlua::step {
 
+/// Fills the first three numbers of the quads of elements [begin, end) from columns; the fourth becomes zero.
+using QuadKernel = void (*)(const std::array<const double*, 3>& columns, double* quads, std::size_t begin,
+                            std::size_t end);
+
+template <class Lane>
+void fill_quads(const std::array<const double*, 3>& columns, double* quads, std::size_t begin, std::size_t end) {
+    for (std::size_t e = begin; e < end; e += Lane::width) {
+        Lane::put_quads(quads + 4 * e, typename Lane::Quad{Lane::load(columns[0] + e), Lane::load(columns[1] + e),
+                                                           Lane::load(columns[2] + e), typename Lane::Number{}});
+    }
+}
+
 /// Forces in pairs, and where each element finds its own.
 struct PairSums {
-    NumberRows fx, fy, moment_i, moment_j; ///< with a row of zeros where no pair is
-    const Index *start, *row;              ///< of state::PairSlots
-    double *sum_x, *sum_y, *sum_moment;    ///< of the slots' first element
+    state::ForceRows forces;            ///< with a row of zeros where no pair is
+    const Index *start, *row;           ///< of state::PairSlots
+    double *sum_x, *sum_y, *sum_moment; ///< of the slots' first element
 };
 
 /// Adds the forces of pairs to elements [begin, end), counted from the slots' first.
 using SumKernel = void (*)(const PairSums& sums, std::size_t begin, std::size_t end);
 
+/// Forces of the pairs in which elements are i, or of those in which they are j.
+template <class T>
+struct EndSum {
+    T fx{}, fy{}, moment{};
+};
+
+/// Over the slots [begin, end); `rows` are those of the first elements' slot 0.
+template <class Lane>
+DEMLUA_INLINE EndSum<typename Lane::Number> sum_columns(const state::ForceRows& forces, const NumberRows& moments,
+                                                        const Index* rows, Index begin, Index end) {
+    EndSum<typename Lane::Number> sum;
+    for (Index slot = begin; slot < end; ++slot) {
+        const typename Lane::Picked pair(rows + state::PairSlots::block * slot);
+        sum.fx += forces.fx.pick(pair);
+        sum.fy += forces.fy.pick(pair);
+        sum.moment += moments.pick(pair);
+    }
+    return sum;
+}
+
+/// The same from quads, `moment` being the place of the moment in them.
+template <class Lane, class Value>
+DEMLUA_INLINE EndSum<typename Lane::Number> sum_quads(const Value* quads, std::size_t moment, const Index* rows,
+                                                      Index begin, Index end) {
+    typename Lane::QuadSum sum;
+    for (Index slot = begin; slot < end; ++slot) sum.add(quads, rows + state::PairSlots::block * slot);
+    const typename Lane::Quad columns = sum.columns();
+    return {columns[0], columns[1], columns[moment]};
+}
+
 template <class Lane>
 void sum_pairs(const PairSums& sums, std::size_t begin, std::size_t end) {
     using T = typename Lane::Number;
     constexpr std::size_t block = state::PairSlots::block;
+    const state::ForceRows& forces = sums.forces;
     for (std::size_t e = begin; e < end; e += Lane::width) {
         const Index* start = sums.start + 2 * (e / block);
         if (start[0] == start[2]) continue;
-        T fx = Lane::load(sums.sum_x + e);
-        T fy = Lane::load(sums.sum_y + e);
-        T moment = Lane::load(sums.sum_moment + e);
-        for (Index slot = start[0]; slot < start[1]; ++slot) {
-            const typename Lane::Picked pair(sums.row + block * slot + e % block);
-            fx += sums.fx.pick(pair);
-            fy += sums.fy.pick(pair);
-            moment += sums.moment_i.pick(pair);
+        const Index* rows = sums.row + e % block;
+        EndSum<T> as_i;
+        EndSum<T> as_j;
+        if (forces.quads.wide != nullptr) {
+            as_i = sum_quads<Lane>(forces.quads.wide, 2, rows, start[0], start[1]);
+            as_j = sum_quads<Lane>(forces.quads.wide, 3, rows, start[1], start[2]);
+        } else if (forces.quads.narrow != nullptr) {
+            as_i = sum_quads<Lane>(forces.quads.narrow, 2, rows, start[0], start[1]);
+            as_j = sum_quads<Lane>(forces.quads.narrow, 3, rows, start[1], start[2]);
+        } else {
+            as_i = sum_columns<Lane>(forces, forces.moment_i, rows, start[0], start[1]);
+            as_j = sum_columns<Lane>(forces, forces.moment_j, rows, start[1], start[2]);
         }
-        for (Index slot = start[1]; slot < start[2]; ++slot) {
-            const typename Lane::Picked pair(sums.row + block * slot + e % block);
-            fx -= sums.fx.pick(pair);
-            fy -= sums.fy.pick(pair);
-            moment += sums.moment_j.pick(pair);
-        }
-        Lane::store(sums.sum_x + e, fx);
-        Lane::store(sums.sum_y + e, fy);
-        Lane::store(sums.sum_moment + e, moment);
+        Lane::store(sums.sum_x + e, Lane::load(sums.sum_x + e) + (as_i.fx - as_j.fx));
+        Lane::store(sums.sum_y + e, Lane::load(sums.sum_y + e) + (as_i.fy - as_j.fy));
+        Lane::store(sums.sum_moment + e, Lane::load(sums.sum_moment + e) + (as_i.moment + as_j.moment));
     }
 }
 

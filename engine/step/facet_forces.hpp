@@ -100,15 +100,12 @@ FacetRows rows_of(state::FacetSet<Law>& bonds) {
     rows.grown_i = bonds.grown_i.targets();
     rows.grown_j = bonds.grown_j.targets();
     rows.pressure = bonds.pressure.data() - bonds.slots.first;
-    rows.Cn = bonds.dashpots.Cn.data();
-    rows.Ct = bonds.dashpots.Ct.data();
+    rows.Cn = bonds.dashpots.Cn.rows();
+    rows.Ct = bonds.dashpots.Ct.rows();
     rows.dashpot_normal = bonds.dashpots.normal.data();
     rows.dashpot_shear = bonds.dashpots.shear.data();
-    rows.spent = bonds.dashpots.spent.data();
-    rows.fx = bonds.fx.targets();
-    rows.fy = bonds.fy.targets();
-    rows.moment_i = bonds.moment_i.targets();
-    rows.moment_j = bonds.moment_j.targets();
+    rows.spent = bonds.dashpots.spent.sums.data();
+    rows.forces = bonds.forces.targets();
     if constexpr (Law::breaks) {
         rows.normal = bonds.normal.data();
         rows.shear = bonds.shear.data();
@@ -121,7 +118,7 @@ FacetRows rows_of(state::FacetSet<Law>& bonds) {
 template <class Law>
 void measure_facets(state::FacetSet<Law>& bonds, const state::Elements& elements, const Kernels& kernels, Share part) {
     const FacetRows rows = rows_of(bonds);
-    const ElementRows moving = rows_of(elements);
+    const ElementRows moving = rows_of(elements, bonds);
     run_rows(kernels, part, [&](const Kernels& width, std::size_t begin, std::size_t end) {
         width.measure_facets(rows, moving, begin, end);
     });
@@ -134,7 +131,8 @@ CellRows cells_of(state::FacetSet<Law>& bonds) {
             bonds.slots.start.data(),
             bonds.slots.row.data(),
             bonds.pressure_per_growth.data(),
-            bonds.pressure.data()};
+            bonds.pressure.data(),
+            bonds.moved.empty() ? nullptr : bonds.moved.data()};
 }
 
 /// Pressures of the cells of one share from the growth of their sides.
@@ -149,7 +147,7 @@ void press_cells(state::FacetSet<Law>& bonds, const Kernels& kernels, Share part
 template <class Law>
 void put_forces(state::FacetSet<Law>& bonds, const state::Elements& elements, const Kernels& kernels, Share part) {
     const FacetRows rows = rows_of(bonds);
-    const ElementRows moving = rows_of(elements);
+    const ElementRows moving = rows_of(elements, bonds);
     const std::size_t damped = bonds.dashpots.present() ? 1 : 0;
     run_rows(kernels, part, [&](const Kernels& width, std::size_t begin, std::size_t end) {
         width.facet_forces[damped](rows, moving, begin, end);
@@ -168,8 +166,15 @@ struct Failing {
 
 template <class Law>
 SuspectRows<Law> suspects_of(state::FacetSet<Law>& bonds) {
-    return {bonds.tractions,     bonds.normal.data(),    bonds.shear.data(),  bonds.area.rows(),
-            bonds.radius.rows(), bonds.history.begins(), bonds.broken.data(), bonds.suspect.data()};
+    return {bonds.tractions,
+            bonds.normal.data(),
+            bonds.shear.data(),
+            bonds.area.rows(),
+            bonds.radius.rows(),
+            bonds.history.begins(),
+            bonds.remembers || law::follows_rate<Law>,
+            bonds.broken.data(),
+            bonds.suspect.data()};
 }
 
 /// What facet `k`, under the forces of this instant, can no longer bear; nothing if it holds as it is.
@@ -205,7 +210,7 @@ void facet_forces(state::FacetSet<Law>& bonds, const state::Elements& elements, 
                   Share part, std::vector<Failing<Law>>& failing) {
     if (bonds.dashpots.present()) {
         const FacetRows rows = rows_of(bonds);
-        const ElementRows moving = rows_of(elements);
+        const ElementRows moving = rows_of(elements, bonds);
         run_rows(kernels, part, [&](const Kernels& width, std::size_t begin, std::size_t end) {
             width.facet_dashpots(rows, moving, dt, begin, end);
         });
@@ -254,6 +259,7 @@ std::vector<Index> settle_yielding(state::FacetSet<Law>& bonds, const state::Ele
                                    const std::vector<std::vector<Failing<Law>>>& parts) {
     std::vector<Failing<Law>> all;
     for (const std::vector<Failing<Law>>& part : parts) all.insert(all.end(), part.begin(), part.end());
+    std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.bond < b.bond; });
     std::vector<Index> yielded;
     std::vector<Index> breaking;
     for (const Failing<Law>& failing : all) {

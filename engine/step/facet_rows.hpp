@@ -29,9 +29,10 @@ struct FacetRows {
     NumberTargets grown_i, grown_j;
     const double* pressure; ///< of the cell of element 0, were it one of this body's
     double *normal, *shear;
-    const double *Cn, *Ct;
-    double *dashpot_normal, *dashpot_shear, *spent;
-    NumberTargets fx, fy, moment_i, moment_j;
+    NumberRows Cn, Ct;
+    double *dashpot_normal, *dashpot_shear;
+    double* spent; ///< of state::LaneSums
+    state::ForceTargets forces;
     const std::uint8_t* broken;
 };
 
@@ -49,6 +50,7 @@ struct CellRows {
     const Index *start, *row;    ///< of state::PairSlots
     const double* pressure_per_growth;
     double* pressure;
+    double* moved; ///< quads of the cells' elements, whose last number is the pressure; null where there are none
 };
 
 /// Fills the pressures of cells [begin, end).
@@ -93,14 +95,13 @@ void measure_facets(const FacetRows& rows, const ElementRows& elements, std::siz
     for (std::size_t k = begin; k < end; k += Lane::width) {
         const typename Lane::Held held(rows.broken == nullptr ? nullptr : rows.broken + k);
         if (held.none()) continue;
-        const typename Lane::Picked i(rows.i + k);
-        const typename Lane::Picked j(rows.j + k);
+        const Moved<T> i = displacements<Lane>(elements, rows.i + k);
+        const Moved<T> j = displacements<Lane>(elements, rows.j + k);
         const Vector2<T> D{rows.Dx.template load<Lane>(k), rows.Dy.template load<Lane>(k)};
         const law::BondMotion<T> motion =
-            motions<Lane>(elements, i, j, held, D, rows.length.template load<Lane>(k),
-                          rows.inverse_length.template load<Lane>(k), rows.share_i.template load<Lane>(k));
-        const Vector q = elastic_part<Lane>(rows, k, motion.stretch, motion.shear,
-                                            j.of(elements.rotation) - i.of(elements.rotation));
+            motions(i, j, held, D, rows.length.template load<Lane>(k), rows.inverse_length.template load<Lane>(k),
+                    rows.share_i.template load<Lane>(k));
+        const Vector q = elastic_part<Lane>(rows, k, motion.stretch, motion.shear, j.turn - i.turn);
         rows.inverse_d.template store<Lane>(k, motion.inverse_length);
         rows.normal_x.template store<Lane>(k, motion.normal.x);
         rows.normal_y.template store<Lane>(k, motion.normal.y);
@@ -125,7 +126,9 @@ void press_cells(const CellRows& cells, std::size_t begin, std::size_t end) {
         for (Index slot = start[1]; slot < start[2]; ++slot) {
             grown += cells.grown_j.pick(typename Lane::Picked(cells.row + block * slot + e % block));
         }
-        Lane::store(cells.pressure + e, Lane::load(cells.pressure_per_growth + e) * grown);
+        const T pressure = Lane::load(cells.pressure_per_growth + e) * grown;
+        Lane::store(cells.pressure + e, pressure);
+        if (cells.moved != nullptr) Lane::put_last(cells.moved + 4 * e, pressure);
     }
 }
 
@@ -135,15 +138,31 @@ void facet_dashpots(const FacetRows& rows, const ElementRows& elements, double d
     for (std::size_t k = begin; k < end; k += Lane::width) {
         const typename Lane::Held held(rows.broken == nullptr ? nullptr : rows.broken + k);
         if (held.none()) continue;
-        const typename Lane::Picked i(rows.i + k);
-        const typename Lane::Picked j(rows.j + k);
         const Vector2<T> n{rows.normal_x.template load<Lane>(k), rows.normal_y.template load<Lane>(k)};
         const law::BondForce<T> rate =
-            rates<Lane>(elements, i, j, n, rows.inverse_d.template load<Lane>(k), rows.length.template load<Lane>(k),
-                        rows.share_i.template load<Lane>(k));
+            rates(velocities<Lane>(elements, rows.i + k), velocities<Lane>(elements, rows.j + k), n,
+                  rows.inverse_d.template load<Lane>(k), rows.length.template load<Lane>(k),
+                  rows.share_i.template load<Lane>(k));
         law::BondForce<T> unused{T{}, T{}};
         add_dashpots<Lane>(rows, k, held, rate, dt, unused);
     }
+}
+
+/// Of elements: rotation, and pressure of the cell.
+template <class T>
+struct Pressed {
+    T turn, pressure;
+};
+
+template <class Lane>
+DEMLUA_INLINE Pressed<typename Lane::Number> pressures(const FacetRows& facets, const ElementRows& elements,
+                                                       const Index* rows) {
+    if (elements.moved != nullptr) {
+        const typename Lane::Quad quad = Lane::pick_quads(elements.moved, rows);
+        return {quad[2], quad[3]};
+    }
+    const typename Lane::Picked at(rows);
+    return {at.of(elements.rotation), at.of(facets.pressure)};
 }
 
 template <class Lane, bool damped>
@@ -153,13 +172,12 @@ void facet_forces(const FacetRows& rows, const ElementRows& elements, std::size_
     for (std::size_t k = begin; k < end; k += Lane::width) {
         const typename Lane::Held held(rows.broken == nullptr ? nullptr : rows.broken + k);
         if (held.none()) continue;
-        const typename Lane::Picked i(rows.i + k);
-        const typename Lane::Picked j(rows.j + k);
-        const Vector q =
-            elastic_part<Lane>(rows, k, rows.stretch.template load<Lane>(k), rows.shift.template load<Lane>(k),
-                               j.of(elements.rotation) - i.of(elements.rotation));
+        const Pressed<T> i = pressures<Lane>(rows, elements, rows.i + k);
+        const Pressed<T> j = pressures<Lane>(rows, elements, rows.j + k);
+        const Vector q = elastic_part<Lane>(rows, k, rows.stretch.template load<Lane>(k),
+                                            rows.shift.template load<Lane>(k), j.turn - i.turn);
         const FacetParts<T> parts = parts_of<Lane>(rows, k);
-        Vector force = parts.springs * q + i.of(rows.pressure) * parts.growth_i + j.of(rows.pressure) * parts.growth_j;
+        Vector force = parts.springs * q + i.pressure * parts.growth_i + j.pressure * parts.growth_j;
         if (rows.normal != nullptr) {
             Lane::store(rows.normal + k, held(force.normal));
             Lane::store(rows.shear + k, held(force.shear));
@@ -187,6 +205,7 @@ struct SuspectRows {
     const double *normal, *shear;
     NumberRows area, radius;
     std::array<const double*, History::members.size()> history;
+    bool remembers; ///< whether `history` may be other than zero
     const std::uint8_t* broken;
     std::uint8_t* suspect;
 };
@@ -212,7 +231,7 @@ bool mark_suspects(const SuspectRows<Law>& rows, std::size_t begin, std::size_t 
     using History = typename Law::template History<T>;
     return mark_rows<Lane>(rows, begin, end, [&](std::size_t k, const law::BondForce<T>& force) {
         return Law::may_fail(rows.tractions, rows.area.template load<Lane>(k), rows.radius.template load<Lane>(k),
-                             force, loaded_members<Lane, History>(rows.history, k));
+                             force, rows.remembers ? loaded_members<Lane, History>(rows.history, k) : History{});
     });
 }
 

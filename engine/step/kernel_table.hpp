@@ -35,6 +35,7 @@ struct KernelTable {
                 press_cells<Lane>,
                 facet_dashpots<Lane>,
                 {facet_forces<Lane, false>, facet_forces<Lane, true>},
+                fill_quads<Lane>,
                 fill_records<Lane>,
                 {contact_forces<Lane, false, false>, contact_forces<Lane, true, false>,
                  contact_forces<Lane, false, true>, contact_forces<Lane, true, true>},

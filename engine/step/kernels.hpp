@@ -35,6 +35,7 @@ struct Kernels {
     PressureKernel press_cells;
     DashpotKernel facet_dashpots;
     std::array<FacetKernel, 2> facet_forces; ///< second with dashpots
+    QuadKernel fill_quads;
     RecordKernel fill_records;
     std::array<ContactKernel, 4> contact_forces; ///< + 1 with rolling, + 2 where the plane repeats
     std::array<MotionKernel, 4> move;            ///< + 1 with mass damping, + 2 with gravity

@@ -28,7 +28,7 @@ double skin_at(double path_in_a_step, double largest) {
     return largest * std::clamp(std::sqrt(search_over_pair * path_in_a_step / largest), least_skin, greatest_skin);
 }
 
-/// What the bonds of a body say about a pair of its elements.
+/// What the bonds of a body say about a pair of its elements, i < j.
 struct BondedPair {
     bool intact = false;
     double reference = 0.0; ///< of the contact a broken bond left; 0 when there never was a bond, m
@@ -40,8 +40,8 @@ BondedPair look_up(const state::State& state, const Search& search, std::size_t 
     return std::visit(
         [&](const auto& bonds) -> BondedPair {
             BondedPair pair;
-            state::for_each_pair_of(bonds.slots, i, [&](std::size_t bond, bool /*is_j*/) {
-                if (bonds.i[bond] + bonds.j[bond] != i + j) return;
+            state::for_each_pair_from(bonds.slots, i, [&](std::size_t bond) {
+                if (bonds.j[bond] != j) return;
                 pair.intact = !bonds.is_broken(bond);
                 if (!pair.intact) pair.reference = bonds.contact_length[bond];
             });
@@ -143,9 +143,7 @@ void finish(state::State& state) {
     if (contacts.in_slots > 0 && contacts.size() < contacts.slots.none) return;
     contacts.slots = state::slots_of(contacts.i, contacts.j, 0, state.elements.size(), spare_rows);
     contacts.in_slots = contacts.size();
-    for (Column<double>* column : {&contacts.fx, &contacts.fy, &contacts.moment_i, &contacts.moment_j}) {
-        column->resize(contacts.slots.none + 1);
-    }
+    contacts.forces.lay_out_quads(contacts.slots.none + 1);
     contacts.friction.cover(contacts.slots.none);
     contacts.damped.cover(contacts.slots.none);
 }
@@ -238,6 +236,10 @@ void refresh_contacts(state::State& state, Search& search) {
     }
     refresh_pairs(state, search);
     refresh_wall_contacts(state, search.skin, search.places, search.grid);
+    if (state.contacts.size() == 0) {
+        search.places = {};
+        search.grid = {};
+    }
     search.travelled = 0.0;
     search.steps = 0;
     ++search.searches;

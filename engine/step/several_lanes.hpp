@@ -24,6 +24,19 @@ struct SeveralLanes {
         return picked_records<W>(records, rows);
     }
     DEMLUA_INLINE static void put_records(double* to, const Record& record) { store_records<W>(to, record); }
+    using Quad = LaneQuad<W>;
+    using QuadSum = QuadSums<W>;
+    DEMLUA_INLINE static Quad pick_quads(const double* quads, const Index* rows) {
+        return picked_quads<W>(quads, rows);
+    }
+    template <class Value>
+    DEMLUA_INLINE static void put_quads(Value* to, const Quad& quads) {
+        store_quads<W>(to, quads);
+    }
+    /// The last number of each of some quads that follow each other.
+    DEMLUA_INLINE static void put_last(double* to, Number last) {
+        for (std::size_t l = 0; l < W; ++l) to[4 * l + 3] = last.v[l];
+    }
     DEMLUA_INLINE static bool any_marked(const std::uint8_t* marks) { return any_set<W>(marks); }
 
     /// Rows that follow each other, as most do where elements stand in rows, are loaded whole.

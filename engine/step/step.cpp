@@ -3,6 +3,7 @@
 #include "engine/step/bond_forces.hpp"
 #include "engine/step/breaking.hpp"
 #include "engine/step/contact_forces.hpp"
+#include "engine/step/facet_sweep.hpp"
 #include "engine/step/loads.hpp"
 #include "engine/step/motion.hpp"
 #include "engine/step/pair_sums.hpp"
@@ -48,6 +49,7 @@ void follow_rates(const state::State& state, Stepper& stepper, Bonds& bonds) {
 template <class Law>
 void compute_bonds(state::State& state, Stepper& stepper, state::BondSet<Law>& bonds) {
     follow_rates(state, stepper, bonds);
+    fill_quads(bonds, state.elements, *stepper.kernels, stepper.team);
     std::vector<Happened> shares(stepper.team.parts());
     stepper.team.share(bonds.size(), [&](Share part) {
         shares[part.part] = bond_forces(bonds, state.elements, state.dt, part, *stepper.kernels);
@@ -68,15 +70,12 @@ void compute_bonds(state::State& state, Stepper& stepper, state::FacetSet<Law>& 
     std::vector<std::vector<Failing<Law>>> failing(stepper.team.parts());
     follow_rates(state, stepper, bonds);
     const Kernels& kernels = *stepper.kernels;
-    stepper.team.share(bonds.size(), [&](Share part) { measure_facets(bonds, state.elements, kernels, part); });
-    stepper.team.share(bonds.pressure.size(), [&](Share part) { press_cells(bonds, kernels, part); });
+    fill_quads(bonds, state.elements, kernels, stepper.team);
     if constexpr (Law::breaks) {
         std::swap(bonds.normal, bonds.normal_before);
         std::swap(bonds.shear, bonds.shear_before);
     }
-    stepper.team.share(bonds.size(), [&](Share part) {
-        facet_forces(bonds, state.elements, state.dt, kernels, part, failing[part.part]);
-    });
+    sweep_facets(bonds, state.elements, state.dt, kernels, stepper.team, failing);
     if constexpr (Law::breaks) {
         std::vector<NewContact> contacts;
         const std::vector<Index> breaking = settle_yielding(bonds, state.elements, failing);

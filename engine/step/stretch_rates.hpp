@@ -27,8 +27,8 @@ double rate_weight(const Bonds& bonds, double dt) {
 template <class Law>
 void mean_rates(state::BondTable<Law>& bonds, const state::Elements& elements, double weight, Share part) {
     using History = typename state::BondTable<Law>::History;
-    Column<double>& mean = bonds.history.columns[History::rate_column];
-    const Column<double>& factor = bonds.history.columns[History::factor_column];
+    auto& mean = bonds.history.columns[History::rate_column];
+    const auto& factor = bonds.history.columns[History::factor_column];
     for (std::size_t k = part.begin; k < part.end; ++k) {
         if (bonds.is_broken(k) || factor[k] != 0.0) continue;
         const double speed = rates_of(bonds, elements, k, motion_of(bonds, elements, k)).normal;

@@ -29,7 +29,8 @@ public:
     void count(state::BondSet<Law>& bonds) {
         const auto run = bonds.dashpots.present() ? step::bond_forces<CountingLane, Law, true>
                                                   : step::bond_forces<CountingLane, Law, false>;
-        run(step::rows_of(bonds), step::rows_of(elements_), state_.dt, 0, sampled(bonds.size()));
+        count_quads(bonds);
+        run(step::rows_of(bonds), step::rows_of(elements_, bonds), state_.dt, 0, sampled(bonds.size()));
         count_slots(bonds);
     }
 
@@ -37,7 +38,8 @@ public:
     void count(state::FacetSet<Law>& bonds) {
         const std::size_t facets = sampled(bonds.size());
         const step::FacetRows rows = step::rows_of(bonds);
-        const step::ElementRows moving = step::rows_of(elements_);
+        const step::ElementRows moving = step::rows_of(elements_, bonds);
+        count_quads(bonds);
         step::measure_facets<CountingLane>(rows, moving, 0, facets);
         step::press_cells<CountingLane>(step::cells_of(bonds), 0, std::min(rows_, bonds.slots.elements));
         if (bonds.dashpots.present()) {
@@ -96,13 +98,23 @@ private:
     /// As many rows of pairs as the elements looked at have on the average.
     [[nodiscard]] std::size_t sampled(std::size_t pairs) const { return pairs * rows_ / elements_.size(); }
 
+    template <class Bonds>
+    void count_quads(Bonds& bonds) {
+        if (bonds.moved.empty()) return;
+        const std::size_t first = bonds.slots.first;
+        const auto fill = [&](const Column<double>& x, const Column<double>& y, const Column<double>& turn,
+                              Column<double>& quads) {
+            step::fill_quads<CountingLane>({x.data() + first, y.data() + first, turn.data() + first}, quads.data(), 0,
+                                           std::min(rows_, bonds.slots.elements));
+        };
+        fill(elements_.ux, elements_.uy, elements_.rotation, bonds.moved);
+        if (!bonds.speeds.empty()) fill(elements_.vx, elements_.vy, elements_.spin, bonds.speeds);
+    }
+
     template <class Pairs>
     void count_slots(const Pairs& bonds) {
         const state::PairSlots& slots = bonds.slots;
-        const step::PairSums sums{step::rows_of(bonds.fx),
-                                  step::rows_of(bonds.fy),
-                                  step::rows_of(bonds.moment_i),
-                                  step::rows_of(bonds.moments_of_j()),
+        const step::PairSums sums{bonds.forces.rows(),
                                   slots.start.data(),
                                   slots.row.data(),
                                   elements_.fx.data() + slots.first,

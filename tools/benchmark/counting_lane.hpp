@@ -106,6 +106,26 @@ struct CountingLane {
         for (std::size_t m = 0; m < record.size(); ++m) store(to + m, record[m]);
     }
 
+    using Quad = std::array<Counted, 4>;
+    struct QuadSum {
+        Quad sum{};
+        template <class Value>
+        void add(const Value* quads, const Index* rows) {
+            for (std::size_t m = 0; m < 4; ++m) sum[m] += load(quads + 4 * std::size_t{*rows} + m);
+        }
+        [[nodiscard]] Quad columns() const { return sum; }
+    };
+    static Quad pick_quads(const double* quads, const Index* rows) {
+        Quad quad;
+        for (std::size_t m = 0; m < 4; ++m) quad[m] = load(quads + 4 * std::size_t{*rows} + m);
+        return quad;
+    }
+    template <class Value>
+    static void put_quads(Value* to, const Quad& quad) {
+        for (std::size_t m = 0; m < 4; ++m) store(to + m, quad[m]);
+    }
+    static void put_last(double* to, Counted last) { store(to + 3, last); }
+
     static bool any_marked(const std::uint8_t* marks) {
         Tally::note_read(marks);
         return *marks != 0;
