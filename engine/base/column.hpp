@@ -3,9 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
-#include <memory>
 #include <new>
+#include <sys/mman.h>
 #include <utility>
 #include <vector>
 
@@ -33,27 +32,23 @@ struct AlignedAllocator {
 template <class T>
 using Column = std::vector<T, AlignedAllocator<T>>;
 
-/// Hands out memory that is zero, and does not write zeros again: a large column of them takes no room before something is
-/// stored in it. Only for columns that are sized once: rows that are taken away and added again keep what they held.
+/// Hands out pages of memory that the system has filled with zeros, and does not write zeros again: a column of them takes
+/// no room before something is stored in it. Only for columns that are sized once: rows that are taken away and added again
+/// keep what they held.
 template <class T>
 struct ZeroAllocator {
     using value_type = T;
-    static constexpr std::size_t alignment = 64;
 
     ZeroAllocator() = default;
     template <class U>
     constexpr explicit ZeroAllocator(const ZeroAllocator<U>& /*other*/) {}
 
     T* allocate(std::size_t n) {
-        std::size_t room = n * sizeof(T) + alignment;
-        void* whole = std::calloc(room + sizeof(void*), 1);
-        if (whole == nullptr) throw std::bad_alloc();
-        void* place = static_cast<char*>(whole) + sizeof(void*);
-        std::align(alignment, n * sizeof(T), place, room);
-        static_cast<void**>(place)[-1] = whole;
-        return static_cast<T*>(place);
+        void* pages = mmap(nullptr, n * sizeof(T), PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+        if (pages == MAP_FAILED) throw std::bad_alloc();
+        return static_cast<T*>(pages);
     }
-    void deallocate(T* p, std::size_t /*n*/) { std::free(reinterpret_cast<void**>(p)[-1]); }
+    void deallocate(T* p, std::size_t n) { munmap(p, n * sizeof(T)); }
 
     template <class U>
     void construct(U* /*place*/) {}

@@ -1,5 +1,6 @@
 #include "engine/step/step.hpp"
 
+#include "engine/base/memory.hpp"
 #include "engine/step/bond_forces.hpp"
 #include "engine/step/breaking.hpp"
 #include "engine/step/contact_forces.hpp"
@@ -172,6 +173,7 @@ void start(state::State& state, Stepper& stepper) {
     compute_forces(state, stepper);
     change_step(state, dt);
     if (!state.drives.empty()) apply_drives(state);
+    give_back_memory();
 }
 
 void change_step(state::State& state, double dt) {
