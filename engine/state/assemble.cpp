@@ -284,6 +284,7 @@ Assembly assemble(const model::Scene& scene, const packing::PackStore* packs) {
     }
     problems = overlapping_bodies(scene, state);
     for (Problem& problem : coincident_elements(scene, state)) problems.push_back(std::move(problem));
+    for (Problem& problem : overlaps_across_edge(scene, state)) problems.push_back(std::move(problem));
     if (!problems.empty()) throw SceneError(std::move(problems));
 
     for (std::size_t row = 0; row < scene.bodies.size(); ++row) {
