@@ -69,7 +69,10 @@ TEST_CASE("disks in the corners of a figure touch its sides from within", "[outl
     SECTION("none where a figure turns inwards or goes straight on") {
         const auto corners = state::corners_of_path(
             {{0.0, 0.0}, {0.1, 0.0}, {0.2, 0.0}, {0.2, 0.1}, {0.1, 0.1}, {0.1, 0.3}, {0.0, 0.3}}, 0.01);
-        CHECK(corners.size() == 5);
+        REQUIRE(corners.size() == 7);
+        for (std::size_t k = 0; k < corners.size(); ++k) CHECK(corners[k].meets == (k != 1 && k != 4));
+        CHECK(norm(corners[1].centre - Vec2{0.1, 0.01}) < 1e-12);
+        CHECK(norm(corners[4].centre - Vec2{0.09, 0.09}) < 1e-12);
     }
     SECTION("an equilateral triangle: 2 r from the corner, towards the middle") {
         const auto corners =
@@ -243,7 +246,8 @@ TEST_CASE("figures that would pass through each other stop the run", "[outline]"
     SECTION("too fast") {
         scene.outlines[0].velocity = {0.0, -1e3};
         observe::Simulation sim(scene, 1);
-        CHECK_THROWS_WITH(sim.run(0.1, {}), Catch::Matchers::ContainsSubstring("wall \"box\" moved at (0, -1000) m/s"));
+        CHECK_THROWS_WITH(sim.run(0.1, {}),
+                          Catch::Matchers::ContainsSubstring("outline \"box\" moved at (0, -1000) m/s"));
     }
     SECTION("at the greatest moves allowed nothing gets through") {
         scene.materials[0].youngs_modulus = 1e3;
@@ -258,7 +262,7 @@ TEST_CASE("figures that would pass through each other stop the run", "[outline]"
         }
     }
     SECTION("across a wall at the start") {
-        scene.outlines[0].path = box({0.0, 0.04}, {0.1, 0.1});
+        scene.outlines[0].path = box({0.0, 0.02}, {0.1, 0.1});
         CHECK_THROWS_WITH(observe::Simulation(scene, 1),
                           Catch::Matchers::ContainsSubstring("lies across wall \"floor\""));
     }
@@ -266,6 +270,17 @@ TEST_CASE("figures that would pass through each other stop the run", "[outline]"
         scene.outlines.push_back(outline("inner", box({0.0, 0.06}, {0.02, 0.02})));
         CHECK_THROWS_WITH(observe::Simulation(scene, 1),
                           Catch::Matchers::ContainsSubstring("\"inner\": lies across outline \"box\""));
+    }
+    SECTION("a corner in a wall at the start") {
+        scene.outlines[0].path = box({0.0, 0.049}, {0.1, 0.1});
+        CHECK_THROWS_WITH(observe::Simulation(scene, 1),
+                          Catch::Matchers::ContainsSubstring("\"floor\" with a corner, by 25 % of its rounding"));
+    }
+    SECTION("not where one stands in the notch of another") {
+        scene.outlines.push_back(
+            outline("ell", {{0.2, 0.0}, {0.5, 0.0}, {0.5, 0.05}, {0.25, 0.05}, {0.25, 0.3}, {0.2, 0.3}}));
+        scene.outlines.push_back(outline("inner", box({0.3, 0.1}, {0.1, 0.1})));
+        CHECK_NOTHROW(observe::Simulation(scene, 1));
     }
     SECTION("let go where it lies across a wall") {
         scene.outlines[0].path = box({0.0, 0.02}, {0.1, 0.1});

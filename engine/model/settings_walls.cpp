@@ -51,8 +51,10 @@ const WordOf<Servo>& servo() {
         "middle of all elements lies when the servo is said.",
         "", R"(sim:wall { name = "lid", path = { { 0, 1 }, { 1, 1 } }, servo = { stress_y = 100e3 } })",
         {
-            row<&Servo::stress_x>("stress_x", "Pa", optional, any,
-                                  "over the wall's height times thickness, as it stands when this is said"),
+            row<&Servo::stress_x>(
+                "stress_x", "Pa", optional, any,
+                "over the wall's height times thickness, as it stands when this is said; where the wall "
+                "stands out beyond what it presses on, say force_x"),
             row<&Servo::stress_y>("stress_y", "Pa", optional, any, "over its width times thickness, likewise"),
             row<&Servo::force_x>("force_x", "N", optional, any, "in place of stress_x"),
             row<&Servo::force_y>("force_y", "N", optional, any, "in place of stress_y"),

@@ -32,6 +32,9 @@ double force_in_pairs(const state::State& state) {
         std::visit([&](const auto& bonds) { add(bonds.fx, bonds.fy, bonds.size()); }, any);
     }
     add(state.wall_contacts.fx, state.wall_contacts.fy, state.wall_contacts.size());
+    for (const state::OutlineContact& row : state.outline_contacts.rows) {
+        if (row.overlap > 0.0) mean.add(row.rule.Kn * row.overlap);
+    }
     return mean.value();
 }
 
@@ -51,6 +54,11 @@ double force_left(const state::State& state) {
     }
     for (const state::RigidBody& rigid : state.rigid_bodies) {
         if (!rigid.empty()) mean.add(norm(rigid.force));
+    }
+    for (const state::Wall& wall : state.walls) {
+        if (!wall.moves_freely()) continue;
+        const Vec2 force = wall.force + wall.weight(state.gravity);
+        mean.add(norm(Vec2{wall.free_x() ? force.x : 0.0, wall.free_y() ? force.y : 0.0}));
     }
     return mean.value();
 }

@@ -45,16 +45,16 @@ std::vector<Corner> corners_of_path(const std::vector<Vec2>& path, double roundi
         const Vec2 on = path[(k + 1) % n] - here;
         const Vec2 u = back / norm(back);
         const Vec2 v = on / norm(on);
-        if (sense * cross(v, u) < straight) continue;
+        const double turn = sense * cross(v, u);
         const double cosine = dot(u, v);
         // Of the two forms of the bisector the one that loses no digits.
-        const Vec2 inwards = cosine > 0.0 ? u + v : sense * turned_left(v - u);
+        const Vec2 inwards = cosine > 0.0 ? (turn > 0.0 ? 1.0 : -1.0) * (u + v) : sense * turned_left(v - u);
         const double sine = std::sqrt(0.5 * (1.0 - cosine));
-        const double tangent = sine / std::sqrt(0.5 * (1.0 + cosine));
+        const double tangent = sine / std::sqrt(0.5 * std::max(1.0 + cosine, 0.0));
         double radius = std::min(rounding, tangent * share_of_side * std::min(norm(back), norm(on)));
         const auto centre = [&] { return here + (radius / (sine * norm(inwards))) * inwards; };
         while (room_at(path, centre()) < (1.0 - rounding_error) * radius) radius *= 0.5;
-        corners.push_back({centre(), radius});
+        corners.push_back({centre(), radius, turn > straight});
     }
     return corners;
 }

@@ -44,18 +44,33 @@ state::OutlineContact row_of(const state::State& state, std::size_t wall, std::s
     return row;
 }
 
+/// Parts of a wall within `skin` of anything of an outline; all, where the plane repeats and parts see different images.
+std::vector<std::size_t> parts_near(const state::State& state, const state::Wall& wall, const state::Wall& outline,
+                                    double skin) {
+    std::vector<std::size_t> near;
+    for (std::size_t part = 0; part < wall.parts(); ++part) {
+        const bool far =
+            !state.period.repeats() && distance_to_part(wall, part, outline.centre_now()) >= outline.reach + skin;
+        if (!far) near.push_back(part);
+    }
+    return near;
+}
+
 std::vector<state::OutlineContact> candidates(const state::State& state, double skin) {
     std::vector<state::OutlineContact> found;
     for_each_pair_of_walls(state, [&](std::size_t w, std::size_t o) {
         const state::Wall& wall = state.walls[w];
         const state::Wall& outline = state.walls[o];
         if (!in_reach(state, wall, outline, skin)) return;
+        const std::vector<std::size_t> near = parts_near(state, wall, outline, skin);
         state::OutlineContact row = row_of(state, w, o);
         for (row.corner = 0; row.corner < outline.matter->corners.size(); ++row.corner) {
             const state::Corner& corner = outline.matter->corners[row.corner];
+            if (!corner.meets) continue;
             const Vec2 at = outline.place_of(corner.centre);
-            for (row.part = 0; row.part < wall.parts(); ++row.part) {
-                const double gap = distance_to_part(wall, row.part, seen_from(wall, row.part, at, state.period));
+            for (const std::size_t part : near) {
+                row.part = part;
+                const double gap = distance_to_part(wall, part, seen_from(wall, part, at, state.period));
                 if (gap < corner.radius + skin) found.push_back(row);
             }
         }
@@ -66,7 +81,9 @@ std::vector<state::OutlineContact> candidates(const state::State& state, double 
 double smallest_corner(const state::State& state) {
     double smallest = std::numeric_limits<double>::infinity();
     for_each_pair_of_walls(state, [&](std::size_t /*w*/, std::size_t o) {
-        for (const state::Corner& corner : state.walls[o].matter->corners) smallest = std::min(smallest, corner.radius);
+        for (const state::Corner& corner : state.walls[o].matter->corners) {
+            if (corner.meets) smallest = std::min(smallest, corner.radius);
+        }
     });
     return smallest;
 }

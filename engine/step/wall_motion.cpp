@@ -72,12 +72,12 @@ void set_velocity(state::State& state, state::Wall& wall) {
 
 void check_speed(const state::State& state, const state::Wall& wall, double moved, const TravelLimit& limit) {
     if (moved <= limit.share * limit.smallest_radius) return;
-    throw RunError(
-        fmt::format("wall \"{}\" moved at ({:.6g}, {:.6g}) m/s and {:.6g} rad/s in step {} (t = {:.6g} s): "
-                    "more than {:.3g} of the smallest radius{} {:.4g} m in one step of {:.4g} s",
-                    wall.name, wall.velocity.x, wall.velocity.y, wall.spin, state.step, state.time, limit.share,
-                    std::isfinite(state.outline_contacts.smallest_corner) ? ", or rounding of a corner," : "",
-                    limit.smallest_radius, state.dt));
+    const bool corner = limit.smallest_radius == state.outline_contacts.smallest_corner;
+    throw RunError(fmt::format("{} \"{}\" moved at ({:.6g}, {:.6g}) m/s and {:.6g} rad/s in step {} (t = {:.6g} s): "
+                               "more than {:.3g} of the smallest {} {:.4g} m in one step of {:.4g} s",
+                               wall.matter ? "outline" : "wall", wall.name, wall.velocity.x, wall.velocity.y, wall.spin,
+                               state.step, state.time, limit.share, corner ? "rounding of a corner" : "radius",
+                               limit.smallest_radius, state.dt));
 }
 
 void check_servo(const state::State& state, const state::Wall& wall, const std::optional<state::Servo>& servo) {

@@ -38,6 +38,20 @@ Deepest overlaps(const state::State& state) {
     return deepest;
 }
 
+/// The same by wall and outline, of the outline's corners.
+Deepest deepest_corners(const state::State& state) {
+    Deepest deepest;
+    for (const state::OutlineContact& row : state.outline_contacts.rows) {
+        const state::Wall& wall = state.walls[row.wall];
+        const state::Wall& outline = state.walls[row.outline];
+        const state::Corner& corner = outline.matter->corners[row.corner];
+        const Vec2 at = seen_from(wall, row.part, outline.place_of(corner.centre), state.period);
+        double& found = deepest[{row.wall, row.outline}];
+        found = std::max(found, 1.0 - distance_to_part(wall, row.part, at) / corner.radius);
+    }
+    return deepest;
+}
+
 } // namespace
 
 std::vector<Problem> elements_across_walls(const model::Scene& scene, const state::State& state) {
@@ -53,6 +67,15 @@ std::vector<Problem> elements_across_walls(const model::Scene& scene, const stat
             fmt::format("lies across an element of body \"{}\", by {:.0f} % of its radius,",
                         state.bodies[pair.second].name, 100.0 * depth));
     }
+    for (const auto& [pair, depth] : deepest_corners(state)) {
+        if (depth <= deepest_allowed) continue;
+        const state::Wall& wall = state.walls[pair.first];
+        problems.push_back({place_of(scene, pair.second), "outline.path", '"' + state.walls[pair.second].name + '"',
+                            fmt::format("lies in {} \"{}\" with a corner, by {:.0f} % of its rounding, at the start",
+                                        wall.matter ? "outline" : "wall", wall.name, 100.0 * depth),
+                            "move one of them away, or give the motion of both"});
+    }
+    if (!problems.empty()) return problems;
     for (const Crossing& crossing : crossing_outlines(state)) {
         const state::Wall& wall = state.walls[crossing.wall];
         problems.push_back(
