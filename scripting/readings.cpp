@@ -92,7 +92,7 @@ const std::vector<Reading<WallMotion>>& wall_readings() {
         {"velocity", "m/s", "x and y", [](const WallMotion& m) { return m.velocity; }},
         {"angle", "rad", "turned since the start", [](const WallMotion& m) { return m.angle; }},
         {"spin", "rad/s", "counter-clockwise", [](const WallMotion& m) { return m.spin; }},
-        {"force", "N", "x and y, of the elements on it", [](const WallMotion& m) { return m.force; }},
+        {"force", "N", "x and y, of elements and outlines on it", [](const WallMotion& m) { return m.force; }},
         {"moment", "N m", "of the elements on it, about its position", [](const WallMotion& m) { return m.moment; }},
         {"stress", "Pa",
          "x over its height and y over its width, positive where it presses towards the side on which the middle of "

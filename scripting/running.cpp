@@ -50,11 +50,12 @@ double column_value(Context& context, observe::Simulation& simulation, const His
     Interpreter& interpreter = call_with_now(context, simulation, column.function, 1);
     lua_State* const L = interpreter.L;
     const bool number = lua_type(L, -1) == LUA_TNUMBER;
+    const std::string hint = lua_type(L, -1) == LUA_TTABLE ? "of a pair take .x or .y" : "";
     const double value = lua_tonumber(L, -1);
     const std::string given = describe(L, -1);
     lua_pop(L, 1);
     if (number) return value;
-    throw SceneError(Problem{place, "history." + column.name, given, "must return a number", ""});
+    throw SceneError(Problem{place, "history." + column.name, given, "must return a number", hint});
 }
 
 HistoryRequest request_of(Context& context, const History& history) {

@@ -4,6 +4,8 @@
 #include "tests/grain_scenes.hpp"
 
 #include <cmath>
+#include <fmt/format.h>
+#include <string>
 
 using namespace demlua;
 using Catch::Approx;
@@ -78,6 +80,30 @@ TEST_CASE("a periodic box too small for its elements is refused with what it tak
     // Twice the reach: two diameters and a skin of 0.8 radii.
     CHECK_THROWS_WITH(observe::Simulation(scene, 1),
                       Catch::Matchers::ContainsSubstring("periodic_x") && Catch::Matchers::ContainsSubstring("0.028"));
+}
+
+TEST_CASE("bonds that a periodic box cuts are told of") {
+    // A close-packed block as wide as the box: of its rows every second one reaches both edges.
+    model::Scene scene = test::scene_of(soft(0.5, 0.3));
+    scene.periodic_x = Vec2{0.0, 20.0 * R};
+    scene.bodies.push_back(test::block("block", {0.0, 0.0}, {20.0 * R, 8.0 * R}, R, model::ElasticBonds{}));
+    const auto told = [&] {
+        for (const std::string& note : observe::Simulation(scene, 1).notes()) {
+            if (note.find("across the edges") != std::string::npos) return note;
+        }
+        return std::string{};
+    };
+    const std::size_t rows = 4; // 1 + (8 R - 2 R)/(sqrt(3) R), rounded down
+    CHECK(told().find(fmt::format("warning: block: {} pairs that touch", rows / 2)) != std::string::npos);
+    SECTION("not where nothing meets there") {
+        scene.periodic_x = Vec2{0.0, 24.0 * R};
+        CHECK(told().empty());
+    }
+    SECTION("elements in one another across the edge are refused") {
+        scene.periodic_x = Vec2{0.0, 19.5 * R};
+        CHECK_THROWS_WITH(told(), Catch::Matchers::ContainsSubstring(
+                                      "overlaps itself across the edge of the periodic box at the start, by 25 %"));
+    }
 }
 
 TEST_CASE("what leaves the domain is counted, booked and no longer drawn") {

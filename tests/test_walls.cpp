@@ -106,6 +106,17 @@ TEST_CASE("a closed path has no open corner", "[walls]") {
         const double overlap = weight / std::numbers::sqrt2 / sim.state().walls[0].rules[0].Kn;
         CHECK(std::numbers::sqrt2 * (R - overlap) == Approx(sim.body_motion(0).centre.y).epsilon(1e-6));
     }
+    SECTION("a circle whose points come back to rounding only") {
+        std::vector<Vec2> circle;
+        for (int k = 0; k <= 60; ++k) circle.push_back(turned({0.1, 0.0}, 2.0 * std::numbers::pi * k / 60.0));
+        REQUIRE_FALSE(circle.front() == circle.back());
+        model::Scene scene = test::scene_of(test::bouncing(0.2, 0.0));
+        scene.walls.push_back(test::wall_along("drum", circle));
+        scene.bodies.push_back(test::disks("disk", {{{}, R}}, model::NoBonds{}));
+        const observe::Simulation sim(scene, 1);
+        CHECK(sim.state().walls[0].closed);
+        CHECK(sim.state().walls[0].path.size() == 60);
+    }
     SECTION("on the point where the path begins") {
         model::Scene scene = test::scene_of(test::bouncing(1.0, 0.0));
         scene.step_fraction = 0.05;

@@ -8,7 +8,8 @@
 // The work the shear force takes out of the motion, less what is stored in the spring, is spent: on friction while the
 // contact slips, on the dashpot while it sticks. What a contact gives back while it slips, the dashpot reversing its force,
 // is the dashpot's: friction never gives. Work over a step is the mean of the forces at its two ends times the
-// displacement, which is what central difference really exchanges.
+// displacement, which is what central difference really exchanges. A contact that is met or let go within a step was within
+// reach for a part of it only: what that work then is beyond what the spring stores counts as the dashpot's, if it has one.
 #pragma once
 
 #include "engine/base/lanes.hpp"
@@ -78,11 +79,20 @@ struct Coulomb {
             0.5 * (history.force + shear) * slide - 0.5 * p.Kt * (kept * kept - history.shear * history.shear);
         const T rubbed = select(slips, larger(T{}, taken), T{});
         spent.friction += rubbed;
-        spent.damped += taken - rubbed + 0.5 * (history.damping + damping) * (in.closing * dt);
+        const T closed = in.closing * dt;
+        spent.damped += taken - rubbed + 0.5 * (history.damping + damping) * closed +
+                        select(in.Cn > 0.0, 0.5 * p.Kn * out_of_reach(in.overlap - closed, in.overlap), T{});
         history.shear = kept;
         history.force = shear;
         history.damping = damping;
         return {pressure, shear};
+    }
+
+    /// Twice the work of a spring of 1 N/m over a step from overlap `before` to `now`, the mean of its forces times the way,
+    /// beyond twice the energy it gains; zero unless one of the two is a gap. m^2.
+    template <class T>
+    static T out_of_reach(T before, T now) {
+        return larger(T{}, now) * larger(T{}, -before) - larger(T{}, before) * larger(T{}, -now);
     }
 
     template <class T>

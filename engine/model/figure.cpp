@@ -62,7 +62,11 @@ Figure figure_of(const std::vector<Vec2>& corners) {
 }
 
 std::vector<Vec2> without_return(std::vector<Vec2> path) {
-    if (path.size() > 1 && path.back() == path.front()) path.pop_back();
+    // A circle's points by sine and cosine come back to where they began to rounding only.
+    constexpr double same_place = 1e-12;
+    double extent = 0.0;
+    for (const Vec2 point : path) extent = std::max(extent, norm(point - path.front()));
+    if (path.size() > 1 && norm(path.back() - path.front()) <= same_place * extent) path.pop_back();
     return path;
 }
 

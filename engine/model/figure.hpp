@@ -19,7 +19,7 @@ struct Figure {
 /// Of a polygon whose corners go round once, in either sense, m.
 Figure figure_of(const std::vector<Vec2>& corners);
 
-/// A path without its last point where that is the first.
+/// A path without its last point where that is the first, to rounding.
 std::vector<Vec2> without_return(std::vector<Vec2> path);
 
 /// What is wrong with an outline's path or region, as a rule it breaks; empty when nothing is.

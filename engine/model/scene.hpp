@@ -213,10 +213,11 @@ struct Outline {
     Vec2 velocity;                                             ///< at the start, m/s
     double spin = 0.0;                                         ///< at the start, about the centre of mass, rad/s
     double friction = std::numeric_limits<double>::infinity(); ///< the smaller of outline's and element's counts
-    std::optional<Signal> given_x;                             ///< m/s
-    std::optional<Signal> given_y;                             ///< m/s
-    std::optional<Signal> given_spin;                          ///< rad/s
-    bool let_go = false; ///< said of an outline that is moved: what is not given now is free again
+    std::optional<double> rounding;   ///< of corners that meet walls and outlines; else the smallest radius, m
+    std::optional<Signal> given_x;    ///< m/s
+    std::optional<Signal> given_y;    ///< m/s
+    std::optional<Signal> given_spin; ///< rad/s
+    bool let_go = false;              ///< said of an outline that is moved: what is not given now is free again
     Place place;
 };
 

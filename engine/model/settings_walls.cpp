@@ -51,8 +51,10 @@ const WordOf<Servo>& servo() {
         "middle of all elements lies when the servo is said.",
         "", R"(sim:wall { name = "lid", path = { { 0, 1 }, { 1, 1 } }, servo = { stress_y = 100e3 } })",
         {
-            row<&Servo::stress_x>("stress_x", "Pa", optional, any,
-                                  "over the wall's height times thickness, as it stands when this is said"),
+            row<&Servo::stress_x>(
+                "stress_x", "Pa", optional, any,
+                "over the wall's height times thickness, as it stands when this is said; where the wall "
+                "stands out beyond what it presses on, say force_x"),
             row<&Servo::stress_y>("stress_y", "Pa", optional, any, "over its width times thickness, likewise"),
             row<&Servo::force_x>("force_x", "N", optional, any, "in place of stress_x"),
             row<&Servo::force_y>("force_y", "N", optional, any, "in place of stress_y"),
@@ -85,11 +87,10 @@ const WordOf<Outline>& outline() {
     static const WordOf<Outline> made = word<Outline>(
         "sim:outline",
         "A rigid figure of any outline, with the mass, centre of mass and moment of inertia of its area. Elements meet "
-        "its "
-        "sides as they meet a wall's, with stiffness and damping in series with its material's. It moves freely, under "
-        "gravity and what presses on it, until outline:move says otherwise. Outlines meet elements only, not each "
-        "other "
-        "and not walls. It is read like a wall: now.wall.NAME.",
+        "its sides as they meet a wall's, with stiffness and damping in series with its material's; so do the corners "
+        "of other outlines, and its own corners meet walls. It moves freely, under gravity and what presses on it, "
+        "until outline:move says otherwise. What is moved in every way meets elements and free outlines only. It is "
+        "read like a wall: now.wall.NAME.",
         "an outline",
         R"(local shot = sim:outline { name = "shot", material = steel, region = dem.rectangle { size = { 0.2, 0.1 } }, velocity = { 0, -5 } })",
         {
@@ -102,6 +103,9 @@ const WordOf<Outline>& outline() {
             row<&Outline::friction>(
                 "friction", "", optional, non_negative,
                 "Coulomb coefficient; the smallest of this, its material's and the element's counts"),
+            row<&Outline::rounding>("rounding", "m", optional, positive,
+                                    "radius of its corners where they meet walls and outlines, less where sides are "
+                                    "short; else that of the smallest element"),
         });
     return made;
 }

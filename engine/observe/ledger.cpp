@@ -106,6 +106,14 @@ void add_wall_contacts(const state::State& state, Ledger& ledger) {
     add_rolling(contacts.rolling, ledger);
 }
 
+void add_outline_contacts(const state::State& state, Ledger& ledger) {
+    for (const state::OutlineContact& row : state.outline_contacts.rows) {
+        ledger.contacts += law::Coulomb::stored_energy(row.rule.params(), row.overlap, row.history);
+        add_spent(row.spent, ledger);
+    }
+    add_spent(state.outline_contacts.booked, ledger);
+}
+
 double gravity_energy(const state::State& state) {
     double sum = 0.0;
     if (state.gravity == Vec2{}) return sum;
@@ -149,6 +157,7 @@ Ledger ledger_of(const state::State& state) {
     }
     add_contacts(state, ledger);
     add_wall_contacts(state, ledger);
+    add_outline_contacts(state, ledger);
     ledger.potential = gravity_energy(state);
     ledger.mass_damping = state.booked.mass_damping + motion.damped;
     ledger.removed = state.booked.removed;

@@ -33,6 +33,9 @@ double force_in_pairs(const state::State& state) {
     for (std::size_t c = 0; c < state.wall_contacts.size(); ++c) {
         add({state.wall_contacts.fx[c], state.wall_contacts.fy[c]});
     }
+    for (const state::OutlineContact& row : state.outline_contacts.rows) {
+        if (row.overlap > 0.0) mean.add(row.rule.Kn * row.overlap);
+    }
     return mean.value();
 }
 
@@ -52,6 +55,11 @@ double force_left(const state::State& state) {
     }
     for (const state::RigidBody& rigid : state.rigid_bodies) {
         if (!rigid.empty()) mean.add(norm(rigid.force));
+    }
+    for (const state::Wall& wall : state.walls) {
+        if (!wall.moves_freely()) continue;
+        const Vec2 force = wall.force + wall.weight(state.gravity);
+        mean.add(norm(Vec2{wall.free_x() ? force.x : 0.0, wall.free_y() ? force.y : 0.0}));
     }
     return mean.value();
 }

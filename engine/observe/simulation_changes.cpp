@@ -6,7 +6,9 @@
 #include "engine/state/selection.hpp"
 #include "engine/state/wall_assembly.hpp"
 #include "engine/step/loads.hpp"
+#include "engine/step/outline_search.hpp"
 
+#include <fmt/format.h>
 #include <utility>
 #include <variant>
 
@@ -151,6 +153,15 @@ void Simulation::replace_wall(std::size_t row, const model::Wall& wall) {
 void Simulation::replace_outline(std::size_t row, const model::Outline& outline) {
     const double before = balance(ledger_of(*state_));
     state::set_motion(outline, state_->walls.at(inside_->scene.walls.size() + row));
+    for (const step::Crossing& crossing : step::crossing_outlines(*state_)) {
+        const state::Wall& wall = state_->walls[crossing.wall];
+        throw SceneError(
+            Problem{outline.place, "outline:move", '"' + outline.name + '"',
+                    fmt::format("lets \"{}\" and \"{}\" meet, which lie across each other at ({:.6g}, {:.6g}) m",
+                                state_->walls[crossing.outline].name, wall.name, crossing.place.x, crossing.place.y),
+                    "free it where it stands clear"});
+    }
+    step::put_in_doubt(inside_->stepper.search);
     // What moves as it is told keeps no account of its own motion.
     state_->booked.walls += balance(ledger_of(*state_)) - before;
 }

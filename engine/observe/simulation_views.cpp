@@ -29,6 +29,7 @@ std::size_t Simulation::contact_count() const {
     std::size_t count = 0;
     for (std::size_t c = 0; c < state_->contacts.size(); ++c) count += state_->overlap(c) > 0.0 ? 1 : 0;
     for (const double overlap : state_->wall_contacts.overlap) count += overlap > 0.0 ? 1 : 0;
+    for (const state::OutlineContact& row : state_->outline_contacts.rows) count += row.overlap > 0.0 ? 1 : 0;
     return count;
 }
 

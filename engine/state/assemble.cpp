@@ -7,6 +7,7 @@
 #include "engine/packing/packing.hpp"
 #include "engine/state/bond_assembly.hpp"
 #include "engine/state/cluster_assembly.hpp"
+#include "engine/state/edge_pairs.hpp"
 #include "engine/state/material_assembly.hpp"
 #include "engine/state/parts.hpp"
 #include "engine/state/wall_assembly.hpp"
@@ -233,6 +234,25 @@ void look_at_window(const model::Scene& scene, const model::Body& said, const St
         said.bonds);
 }
 
+/// Bonds end at the edges of a box that repeats; what would have gone on there is told of.
+void look_at_edge(const model::Body& said, const State& state, std::size_t row, std::vector<std::string>& notes) {
+    const double search = std::visit(
+        [](const auto& choice) {
+            if constexpr (std::is_same_v<std::decay_t<decltype(choice)>, model::NoBonds>) {
+                return 0.0;
+            } else {
+                return choice.search;
+            }
+        },
+        said.bonds);
+    const std::size_t pairs = pairs_across_edge(state, state.bodies[row], search);
+    if (pairs == 0) return;
+    notes.push_back(fmt::format(
+        "warning: {}: {} {} across the edges of the periodic box {} not bonded: bonds are laid as "
+        "elements stand; across the edges these meet by contact only",
+        said.name, pairs, pairs == 1 ? "pair that touches" : "pairs that touch", pairs == 1 ? "is" : "are"));
+}
+
 } // namespace
 
 Assembly assemble(const model::Scene& scene, const packing::PackStore* packs) {
@@ -264,6 +284,7 @@ Assembly assemble(const model::Scene& scene, const packing::PackStore* packs) {
     }
     problems = overlapping_bodies(scene, state);
     for (Problem& problem : coincident_elements(scene, state)) problems.push_back(std::move(problem));
+    for (Problem& problem : overlaps_across_edge(scene, state)) problems.push_back(std::move(problem));
     if (!problems.empty()) throw SceneError(std::move(problems));
 
     for (std::size_t row = 0; row < scene.bodies.size(); ++row) {
@@ -279,6 +300,7 @@ Assembly assemble(const model::Scene& scene, const packing::PackStore* packs) {
         if (bonds) {
             look_at_sizes(scene, said, *network, *bonds, problems, assembly.notes);
             look_at_window(scene, said, state, row, problems);
+            look_at_edge(said, state, row, assembly.notes);
         }
         assembly.notes.push_back(describe(state, row, network, bonds ? &*bonds : nullptr));
         if (bonds) state.bond_sets.push_back(std::move(*bonds));

@@ -5,6 +5,7 @@
 #include "engine/state/contacts.hpp"
 #include "engine/state/cracks.hpp"
 #include "engine/state/elements.hpp"
+#include "engine/state/outline_contacts.hpp"
 #include "engine/state/walls.hpp"
 #include "engine/state/wear.hpp"
 
@@ -12,6 +13,7 @@
 #include "engine/base/signal.hpp"
 #include "engine/law/stiffness.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -108,6 +110,7 @@ struct State {
     Contacts contacts;
     std::vector<Wall> walls;
     WallContacts wall_contacts;
+    OutlineContacts outline_contacts;
     std::vector<RigidBody> rigid_bodies;
     Column<Index> rigid_members; ///< elements of the rigid bodies, one body after the other
     Column<Index> rigid_row;     ///< of each element its rigid body, or `no_rigid`; empty without rigid bodies
@@ -157,6 +160,14 @@ struct State {
 /// Law of the contacts of an element with a wall.
 inline const PairRule& wall_rule(const State& state, std::size_t wall, std::size_t element) {
     return state.walls[wall].rules[state.bodies[state.elements.body[element]].material];
+}
+
+/// Law of the contacts of an outline's corners with a wall or with another outline.
+inline PairRule outline_rule(const State& state, std::size_t wall, std::size_t outline) {
+    const Matter& matter = state.walls[outline].matter.value();
+    PairRule rule = state.walls[wall].rules[matter.material];
+    rule.mu = std::min(rule.mu, matter.friction);
+    return rule;
 }
 
 } // namespace demlua::state

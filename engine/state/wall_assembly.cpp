@@ -127,7 +127,10 @@ Wall outline_of(const model::Outline& said, const model::Scene& scene, const Sta
     outline.closed = true;
     const model::Figure figure = model::figure_of(outline.path);
     const double density = scene.materials[said.material].density * scene.thickness;
-    outline.matter = Matter{said.material, density * figure.area, density * figure.polar};
+    const double rounding =
+        said.rounding.value_or(*std::min_element(state.elements.radius.begin(), state.elements.radius.end()));
+    outline.matter = Matter{said.material, density * figure.area, density * figure.polar, said.friction,
+                            corners_of_path(outline.path, rounding)};
     outline.centre = figure.centre;
     for (std::size_t row = 0; row < state.materials.size(); ++row) {
         outline.rules.push_back(state.contacts.rules[row * state.contacts.materials + said.material]);

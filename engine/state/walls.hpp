@@ -5,8 +5,10 @@
 #include "engine/base/signal.hpp"
 #include "engine/base/vec2.hpp"
 #include "engine/state/contacts.hpp"
+#include "engine/state/corners.hpp"
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,8 +28,10 @@ struct Servo {
 /// What an outline has and a wall has not.
 struct Matter {
     std::size_t material = 0;
-    double mass = 0.0;    ///< kg
-    double inertia = 0.0; ///< about the centre of mass, kg m^2
+    double mass = 0.0;                                         ///< kg
+    double inertia = 0.0;                                      ///< about the centre of mass, kg m^2
+    double friction = std::numeric_limits<double>::infinity(); ///< the most a contact of its corners may have
+    std::vector<Corner> corners;                               ///< at the start
 };
 
 /// A rigid line, open or closed. With matter it is the outline of a rigid figure, which may move freely.
@@ -52,9 +56,9 @@ struct Wall {
     double rotation = 0.0;    ///< counter-clockwise since the start, rad
     Vec2 velocity;            ///< of the half step before the present instant, m/s
     double spin = 0.0;        ///< likewise, rad/s
-    Vec2 force;               ///< of the elements on the wall, N
+    Vec2 force;               ///< of elements and outlines on the wall, N
     double moment = 0.0;      ///< likewise, about the centre, N m
-    double stiffness = 0.0;   ///< sum of Kn of the contacts that touch, N/m
+    double stiffness = 0.0;   ///< sum of Kn of its contacts that touch, N/m
 
     [[nodiscard]] std::size_t segments() const { return closed ? path.size() : path.size() - 1; }
     [[nodiscard]] std::size_t parts() const { return path.size() + segments(); }
@@ -64,9 +68,13 @@ struct Wall {
     /// Of its matter at the place `at`, m/s.
     [[nodiscard]] Vec2 velocity_at(Vec2 at) const { return velocity + spin * turned_left(at - centre_now()); }
 
+    /// Where what stood at `at_start` stands now, m.
+    [[nodiscard]] Vec2 place_of(Vec2 at_start) const;
+
     [[nodiscard]] bool free_x() const { return !velocity_x && !servo_x; }
     [[nodiscard]] bool free_y() const { return !velocity_y && !servo_y; }
     [[nodiscard]] bool free_to_turn() const { return !turning; }
+    [[nodiscard]] bool moves_freely() const { return free_x() || free_y() || free_to_turn(); }
     [[nodiscard]] Vec2 weight(Vec2 gravity) const { return matter ? matter->mass * gravity : Vec2{}; }
 
     /// Points from offset and rotation.

@@ -2,6 +2,7 @@
 
 #include "engine/state/pair_slots.hpp"
 #include "engine/step/contact_past.hpp"
+#include "engine/step/outline_search.hpp"
 #include "engine/step/wall_search.hpp"
 
 #include <algorithm>
@@ -236,6 +237,7 @@ void refresh_contacts(state::State& state, Search& search) {
     }
     refresh_pairs(state, search);
     refresh_wall_contacts(state, search.skin, search.places, search.grid);
+    refresh_outline_contacts(state, search.skin);
     if (state.contacts.size() == 0) {
         search.places = {};
         search.grid = {};

@@ -26,15 +26,15 @@ namespace demlua::step {
 
 template <class Work>
 void Clock::time(std::uint64_t step, Stage stage, const Work& work) {
-    const bool rare = stage == Stage::search;
-    if (!rare && step % sampled_every != 0) {
+    const std::uint64_t every = stage == Stage::search ? 1 : sampled_every;
+    if (step % every != 0) {
         work();
         return;
     }
     const auto begin = std::chrono::steady_clock::now();
     work();
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-    seconds[static_cast<std::size_t>(stage)] += taken.count() * static_cast<double>(rare ? 1 : sampled_every);
+    seconds[static_cast<std::size_t>(stage)] += taken.count() * static_cast<double>(every);
 }
 
 namespace {

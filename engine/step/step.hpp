@@ -22,7 +22,7 @@ enum class Stage { motion, bonds, contacts, walls, loads, rigid, search, wear };
 inline constexpr std::array<const char*, 8> stage_names{"motion", "bonds", "contacts", "walls",
                                                         "loads",  "rigid", "search",   "wear"};
 
-/// Seconds spent in each stage, from every 16th step.
+/// Seconds spent in each stage, from every 16th step; of searches, which are rare and long, from all.
 class Clock {
 public:
     static constexpr std::uint64_t sampled_every = 16;

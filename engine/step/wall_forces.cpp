@@ -1,6 +1,7 @@
 #include "engine/step/wall_forces.hpp"
 
 #include "engine/base/problems.hpp"
+#include "engine/step/outline_forces.hpp"
 #include "engine/step/wall_parts.hpp"
 
 #include <algorithm>
@@ -37,8 +38,47 @@ double rolling_moment(state::State& state, std::size_t c, double pressure) {
     return moment;
 }
 
-/// Fills the forces of one row; whether its element still has room.
-bool press(state::State& state, std::size_t c) {
+/// Whether the element of row `c` has more rows with the same wall.
+bool has_others(const state::WallContacts& contacts, std::size_t c) {
+    const auto same = [&](std::size_t other) {
+        return contacts.wall[other] == contacts.wall[c] && contacts.element[other] == contacts.element[c];
+    };
+    return (c > 0 && same(c - 1)) || (c + 1 < contacts.size() && same(c + 1));
+}
+
+/// Whether the element has just come to this part of the wall or just left it, so that its contact may be passed on.
+bool passes(const state::State& state, std::size_t c, bool meets, double overlap,
+            const state::ContactHistory& history) {
+    const state::WallContacts& contacts = state.wall_contacts;
+    if (!(at_rest(history) ? overlap > 0.0 : !meets) || !has_others(contacts, c)) return false;
+    return contacts.Cn[c] > 0.0 || state::wall_rule(state, contacts.wall[c], contacts.element[c]).mu > 0.0;
+}
+
+/// Hands what contacts remember that leave a part of a wall on to those that have come to the part beside it. `waiting` are
+/// rows in rising order.
+void pass_on(state::State& state, const std::vector<std::size_t>& waiting) {
+    state::WallContacts& contacts = state.wall_contacts;
+    const auto hand_over = [](auto& columns, std::size_t from, std::size_t to) {
+        columns.store(to, columns.at(from));
+        columns.store(from, {});
+    };
+    const auto can_take = [&](std::size_t from, std::size_t to) {
+        return contacts.wall[from] == contacts.wall[to] && contacts.element[from] == contacts.element[to] &&
+               contacts.overlap[to] > 0.0 && at_rest(contacts.history.at(to)) &&
+               are_neighbours(state.walls[contacts.wall[to]], contacts.part[from], contacts.part[to]);
+    };
+    for (const std::size_t from : waiting) {
+        if (at_rest(contacts.history.at(from))) continue;
+        const auto to =
+            std::find_if(waiting.begin(), waiting.end(), [&](std::size_t row) { return can_take(from, row); });
+        if (to == waiting.end()) continue;
+        hand_over(contacts.history, from, *to);
+        if (contacts.rolling.present()) hand_over(contacts.rolling.history, from, *to);
+    }
+}
+
+/// Fills the forces of one row, or puts it on `waiting`; whether its element still has room.
+bool press(state::State& state, std::size_t c, std::vector<std::size_t>* waiting) {
     state::WallContacts& contacts = state.wall_contacts;
     const state::Elements& elements = state.elements;
     const state::Wall& wall = state.walls[contacts.wall[c]];
@@ -48,6 +88,10 @@ bool press(state::State& state, std::size_t c) {
     const double overlap = gap.meets ? elements.radius[e] - gap.distance : 0.0;
     contacts.overlap[c] = overlap;
     state::ContactHistory history = contacts.history.at(c);
+    if (waiting != nullptr && passes(state, c, gap.meets, overlap, history)) {
+        waiting->push_back(c);
+        return true;
+    }
     if (overlap <= 0.0 && at_rest(history)) {
         release(contacts, c);
         if (contacts.rolling.present()) rolling_moment(state, c, 0.0);
@@ -112,14 +156,22 @@ void add_up(state::State& state) {
 
 void wall_forces(state::State& state, Team& team) {
     std::vector<std::size_t> pressed(team.parts(), no_row);
+    std::vector<std::vector<std::size_t>> waits(team.parts());
     team.share(state.wall_contacts.size(), [&](Share part) {
         for (std::size_t c = part.begin; c < part.end; ++c) {
-            if (!press(state, c)) pressed[part.part] = std::min(pressed[part.part], c);
+            if (!press(state, c, &waits[part.part])) pressed[part.part] = std::min(pressed[part.part], c);
         }
     });
-    const std::size_t first = *std::min_element(pressed.begin(), pressed.end());
+    std::size_t first = *std::min_element(pressed.begin(), pressed.end());
+    std::vector<std::size_t> waiting;
+    for (const std::vector<std::size_t>& share : waits) waiting.insert(waiting.end(), share.begin(), share.end());
+    pass_on(state, waiting);
+    for (const std::size_t c : waiting) {
+        if (!press(state, c, nullptr)) first = std::min(first, c);
+    }
     if (first != no_row) refuse_pressed_through(state, first);
     add_up(state);
+    if (!state.outline_contacts.rows.empty()) outline_forces(state);
 }
 
 } // namespace demlua::step

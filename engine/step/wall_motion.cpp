@@ -38,6 +38,9 @@ Met met_by(const state::State& state, const state::Wall& wall) {
     for (std::size_t c = 0; c < contacts.size(); ++c) {
         if (contacts.overlap[c] > 0.0 && &state.walls[contacts.wall[c]] == &wall) met.C += contacts.Cn[c];
     }
+    for (const state::OutlineContact& row : state.outline_contacts.rows) {
+        if (row.overlap > 0.0 && &state.walls[row.wall] == &wall) met.C += row.damped;
+    }
     return met;
 }
 
@@ -69,10 +72,12 @@ void set_velocity(state::State& state, state::Wall& wall) {
 
 void check_speed(const state::State& state, const state::Wall& wall, double moved, const TravelLimit& limit) {
     if (moved <= limit.share * limit.smallest_radius) return;
-    throw RunError(fmt::format("wall \"{}\" moved at ({:.6g}, {:.6g}) m/s and {:.6g} rad/s in step {} (t = {:.6g} s): "
-                               "more than {:.3g} of the smallest radius {:.4g} m in one step of {:.4g} s",
-                               wall.name, wall.velocity.x, wall.velocity.y, wall.spin, state.step, state.time,
-                               limit.share, limit.smallest_radius, state.dt));
+    const bool corner = limit.smallest_radius == state.outline_contacts.smallest_corner;
+    throw RunError(fmt::format("{} \"{}\" moved at ({:.6g}, {:.6g}) m/s and {:.6g} rad/s in step {} (t = {:.6g} s): "
+                               "more than {:.3g} of the smallest {} {:.4g} m in one step of {:.4g} s",
+                               wall.matter ? "outline" : "wall", wall.name, wall.velocity.x, wall.velocity.y, wall.spin,
+                               state.step, state.time, limit.share, corner ? "rounding of a corner" : "radius",
+                               limit.smallest_radius, state.dt));
 }
 
 void check_servo(const state::State& state, const state::Wall& wall, const std::optional<state::Servo>& servo) {
@@ -95,9 +100,10 @@ double move_walls(state::State& state, const TravelLimit& limit) {
     for (state::Wall& wall : state.walls) set_velocity(state, wall);
     book_wall_work(state);
     double farthest = 0.0;
+    const TravelLimit tight{limit.share, std::min(limit.smallest_radius, state.outline_contacts.smallest_corner)};
     for (state::Wall& wall : state.walls) {
         const double moved = state.dt * (norm(wall.velocity) + std::fabs(wall.spin) * wall.reach);
-        check_speed(state, wall, moved, limit);
+        check_speed(state, wall, moved, tight);
         check_servo(state, wall, wall.servo_x);
         check_servo(state, wall, wall.servo_y);
         wall.offset += state.dt * wall.velocity;

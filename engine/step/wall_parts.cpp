@@ -42,6 +42,25 @@ WallGap wall_gap(const state::Wall& wall, std::size_t part, Vec2 centre) {
     return gap_from(a, centre, past_previous && before_next);
 }
 
+bool are_neighbours(const state::Wall& wall, std::size_t part, std::size_t other) {
+    const std::size_t apart = part > other ? part - other : other - part;
+    // The last point of a wall with a seam is its first.
+    const std::size_t round = wall.closed ? wall.parts() : wall.parts() - 1;
+    const bool goes_round = wall.closed || wall.seam;
+    return apart <= 2 || (goes_round && round - apart <= 2);
+}
+
+bool is_inside(const state::Wall& outline, Vec2 point) {
+    bool inside = false;
+    for (std::size_t k = 0; k < outline.points.size(); ++k) {
+        const Vec2 a = outline.points[k];
+        const Vec2 b = outline.point_after(k);
+        if ((a.y > point.y) == (b.y > point.y)) continue;
+        if (point.x < a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+    }
+    return inside;
+}
+
 double distance_to_part(const state::Wall& wall, std::size_t part, Vec2 centre) {
     const std::size_t k = part / 2;
     const Vec2 a = wall.points[k];

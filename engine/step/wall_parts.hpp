@@ -23,6 +23,12 @@ Vec2 seen_from(const state::Wall& wall, std::size_t part, Vec2 centre, Period pe
 /// `part` as in WallContacts; `centre` in m, as seen from the part.
 WallGap wall_gap(const state::Wall& wall, std::size_t part, Vec2 centre);
 
+/// Whether what slides along a wall can come from one of two parts to the other, by way of at most one between.
+bool are_neighbours(const state::Wall& wall, std::size_t part, std::size_t other);
+
+/// Whether a ray along x from the point crosses a closed path an odd number of times.
+bool is_inside(const state::Wall& outline, Vec2 point);
+
 /// m, whether or not another part is nearer.
 double distance_to_part(const state::Wall& wall, std::size_t part, Vec2 centre);
 

@@ -1,5 +1,6 @@
 #include "engine/step/wall_start.hpp"
 
+#include "engine/step/outline_search.hpp"
 #include "engine/step/wall_parts.hpp"
 
 #include <algorithm>
@@ -22,18 +23,6 @@ const Place& place_of(const model::Scene& scene, std::size_t wall) {
     return wall < scene.walls.size() ? scene.walls[wall].place : scene.outlines[wall - scene.walls.size()].place;
 }
 
-/// Whether a ray along x from the point crosses the sides an odd number of times.
-bool is_inside(const state::Wall& outline, Vec2 point) {
-    bool inside = false;
-    for (std::size_t k = 0; k < outline.points.size(); ++k) {
-        const Vec2 a = outline.points[k];
-        const Vec2 b = outline.point_after(k);
-        if ((a.y > point.y) == (b.y > point.y)) continue;
-        if (point.x < a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
-    }
-    return inside;
-}
-
 Deepest overlaps(const state::State& state) {
     Deepest deepest;
     const state::WallContacts& contacts = state.wall_contacts;
@@ -45,6 +34,20 @@ Deepest overlaps(const state::State& state) {
             wall, contacts.part[c], seen_from(wall, contacts.part[c], state.elements.position(e), state.period));
         double& found = deepest[{contacts.wall[c], state.elements.body[e]}];
         found = std::max(found, 1.0 - gap / R);
+    }
+    return deepest;
+}
+
+/// The same by wall and outline, of the outline's corners.
+Deepest deepest_corners(const state::State& state) {
+    Deepest deepest;
+    for (const state::OutlineContact& row : state.outline_contacts.rows) {
+        const state::Wall& wall = state.walls[row.wall];
+        const state::Wall& outline = state.walls[row.outline];
+        const state::Corner& corner = outline.matter->corners[row.corner];
+        const Vec2 at = seen_from(wall, row.part, outline.place_of(corner.centre), state.period);
+        double& found = deepest[{row.wall, row.outline}];
+        found = std::max(found, 1.0 - distance_to_part(wall, row.part, at) / corner.radius);
     }
     return deepest;
 }
@@ -63,6 +66,23 @@ std::vector<Problem> elements_across_walls(const model::Scene& scene, const stat
         add(pair.first, pair.second,
             fmt::format("lies across an element of body \"{}\", by {:.0f} % of its radius,",
                         state.bodies[pair.second].name, 100.0 * depth));
+    }
+    for (const auto& [pair, depth] : deepest_corners(state)) {
+        if (depth <= deepest_allowed) continue;
+        const state::Wall& wall = state.walls[pair.first];
+        problems.push_back({place_of(scene, pair.second), "outline.path", '"' + state.walls[pair.second].name + '"',
+                            fmt::format("lies in {} \"{}\" with a corner, by {:.0f} % of its rounding, at the start",
+                                        wall.matter ? "outline" : "wall", wall.name, 100.0 * depth),
+                            "move one of them away, or give the motion of both"});
+    }
+    if (!problems.empty()) return problems;
+    for (const Crossing& crossing : crossing_outlines(state)) {
+        const state::Wall& wall = state.walls[crossing.wall];
+        problems.push_back(
+            {place_of(scene, crossing.outline), "outline.path", '"' + state.walls[crossing.outline].name + '"',
+             fmt::format("lies across {} \"{}\" at ({:.6g}, {:.6g}) m at the start", wall.matter ? "outline" : "wall",
+                         wall.name, crossing.place.x, crossing.place.y),
+             "move one of them away, or give the motion of both"});
     }
     if (!problems.empty()) return problems;
     for (std::size_t w = 0; w < state.walls.size(); ++w) {
