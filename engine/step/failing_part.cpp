@@ -22,30 +22,46 @@ void put(const ElementForces& forces, double factor, const Eigen::VectorXd& per_
 
 } // namespace
 
-Eigen::VectorXd FailingPart::response(const ElementForces& forces) const {
+Eigen::VectorXd FailingPart::half_response(const ElementForces& forces) const {
     Eigen::VectorXd right = Eigen::VectorXd::Zero(per_radius_.size());
     put(forces, 1.0, per_radius_, right);
-    return system_.solve(right, Eigen::VectorXd::Zero(right.size())).cwiseProduct(per_radius_);
+    for (const SpringEnd& end : forces) hold_back(end.element, right);
+    return system_.forward(right);
+}
+
+/// Forces on held freedoms move nothing.
+void FailingPart::hold_back(std::size_t element, Eigen::VectorXd& right) const {
+    const auto row = static_cast<Eigen::Index>(3 * element);
+    for (const Eigen::Index r : {row, row + 1, row + 2}) {
+        if (system_.is_held(r)) right[r] = 0.0;
+    }
 }
 
 void FailingPart::add(FailingBonds& set, std::size_t bond) {
     const auto mine = static_cast<Eigen::Index>(2 * members_.size());
     if (mine + 2 > B_.rows()) B_.conservativeResize(2 * mine + 32, 2 * mine + 32);
     const std::size_t row = set.add_row(bond);
-    Member fresh{&set, row, {}, least_share * set.coupling(bond, bond).diagonal()};
+    Member fresh{&set, row, {}, {}, least_share * set.coupling(bond, bond).diagonal()};
     fresh.forces = {set.offset_forces(bond, Eigen::Vector2d::UnitX()),
                     set.offset_forces(bond, Eigen::Vector2d::UnitY())};
+    std::array<Eigen::VectorXd, 2> moved;
+    for (const std::size_t c : {0U, 1U}) {
+        const Eigen::VectorXd half = half_response(fresh.forces[c]);
+        fresh.halves[c] = half.sparseView();
+        moved[c] = system_.over_pivots(half);
+    }
     members_.push_back(std::move(fresh));
-    for (const Eigen::Index c : {0, 1}) {
-        const Eigen::VectorXd u = response(members_.back().forces[static_cast<std::size_t>(c)]);
-        for (std::size_t n = 0; n < members_.size(); ++n) {
-            const Member& other = members_[n];
-            Eigen::Vector2d force{work_of(other.forces[0], u), work_of(other.forces[1], u)};
-            if (other.set == &set) force -= set.coupling(set.bond(other.row), bond).col(c);
-            const auto its = static_cast<Eigen::Index>(2 * n);
-            B_.block<2, 1>(its, mine + c) = force;
-            B_.block<1, 2>(mine + c, its) = force.transpose();
+    for (std::size_t n = 0; n < members_.size(); ++n) {
+        const Member& other = members_[n];
+        Eigen::Matrix2d force;
+        for (const Eigen::Index c : {0, 1}) {
+            const Eigen::VectorXd& u = moved[static_cast<std::size_t>(c)];
+            force.col(c) << other.halves[0].dot(u), other.halves[1].dot(u);
         }
+        if (other.set == &set) force -= set.coupling(set.bond(other.row), bond);
+        const auto its = static_cast<Eigen::Index>(2 * n);
+        B_.block<2, 2>(its, mine) = force;
+        B_.block<2, 2>(mine, its) = force.transpose();
     }
 }
 
@@ -90,7 +106,10 @@ Eigen::VectorXd FailingPart::displacements() const {
             if (w[c] != 0.0) put(member.forces[static_cast<std::size_t>(c)], w[c], per_radius_, right);
         }
     }
-    return system_.solve(right, Eigen::VectorXd::Zero(right.size())).cwiseProduct(per_radius_);
+    for (const Member& member : members_) {
+        for (const SpringEnd& end : member.forces[0]) hold_back(end.element, right);
+    }
+    return system_.backward(system_.forward(right)).cwiseProduct(per_radius_);
 }
 
 double FailingPart::largest_offset() const { return members_.empty() ? 0.0 : offsets().cwiseAbs().maxCoeff(); }

@@ -11,6 +11,7 @@
 #include "engine/step/held_system.hpp"
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -40,11 +41,13 @@ private:
     struct Member {
         FailingBonds* set;
         std::size_t row;
-        std::array<ElementForces, 2> forces; ///< of unit offsets
+        std::array<ElementForces, 2> forces;               ///< of unit offsets
+        std::array<Eigen::SparseVector<double>, 2> halves; ///< of what these forces move (HeldSystem::forward)
         Eigen::Vector2d least;               ///< stiffness it meets at least, N/m
     };
 
-    [[nodiscard]] Eigen::VectorXd response(const ElementForces& forces) const;
+    [[nodiscard]] Eigen::VectorXd half_response(const ElementForces& forces) const;
+    void hold_back(std::size_t element, Eigen::VectorXd& right) const;
     [[nodiscard]] Eigen::VectorXd offsets() const;
 
     const HeldSystem& system_;

@@ -54,6 +54,7 @@ QuasiStatic::QuasiStatic(state::State& state, Stepper& stepper, const model::Qua
     if (system_->singular()) {
         refuse(asked_, "the bonds leave a motion that takes no force", "look for a hinge or a chain");
     }
+    loads_.emplace(*system_);
     part_.emplace(*system_, per_radius_);
     const Eigen::VectorXd nowhere = Eigen::VectorXd::Zero(per_radius_.size());
     for (const std::unique_ptr<FailingBonds>& set : sets_) {
@@ -78,7 +79,8 @@ QuasiStatic::Trial QuasiStatic::settle(double time) {
     const Eigen::VectorXd outer = outer_forces(state_, stepper_, per_radius_);
     const Eigen::VectorXd given = places_held(state_.elements, held_freedoms(state_));
     state_.time = now;
-    const Eigen::VectorXd loaded = system_->solve(outer, given.cwiseQuotient(per_radius_)).cwiseProduct(per_radius_);
+    const Eigen::VectorXd right = system_->right_side(outer, given.cwiseQuotient(per_radius_));
+    const Eigen::VectorXd loaded = loads_->solution(right).cwiseProduct(per_radius_);
     Trial trial;
     trial.left = part_->relax(loaded, said_.tolerance, most_sweeps);
     displacements_ = loaded + part_->displacements();
@@ -181,12 +183,16 @@ bool QuasiStatic::advance(double until) {
 /// Writes the rest that was found into the state.
 void QuasiStatic::place(double time) {
     state::Elements& elements = state_.elements;
+    double farthest = 0.0;
     for (std::size_t k = 0; k < elements.size(); ++k) {
         const auto row = static_cast<Eigen::Index>(3 * k);
-        elements.ux[k] = displacements_[row];
-        elements.uy[k] = displacements_[row + 1];
+        const Vec2 to{displacements_[row], displacements_[row + 1]};
+        farthest = std::max(farthest, norm(to - elements.displacement(k)));
+        elements.ux[k] = to.x;
+        elements.uy[k] = to.y;
         elements.rotation[k] = displacements_[row + 2];
     }
+    travel(stepper_.search, farthest);
     stop_motion(elements);
     at_ = state_.time = time;
     ++state_.step;
@@ -194,7 +200,6 @@ void QuasiStatic::place(double time) {
     const double dt = std::exchange(state_.dt, 0.0);
     for (const std::unique_ptr<FailingBonds>& set : sets_) set->settle(state_, contacts);
     append_contacts(state_, stepper_.search, contacts);
-    put_in_doubt(stepper_.search);
     compute_forces(state_, stepper_);
     state_.dt = dt;
     if (!state_.drives.empty()) apply_drives(state_);

@@ -15,6 +15,7 @@
 #include "engine/state/state.hpp"
 #include "engine/step/at_rest.hpp"
 #include "engine/step/failing_part.hpp"
+#include "engine/step/solved_sides.hpp"
 #include "engine/step/step.hpp"
 
 #include <Eigen/Core>
@@ -66,6 +67,7 @@ private:
     Held held_;
     Eigen::VectorXd per_radius_;
     std::optional<HeldSystem> system_;
+    std::optional<SolvedSides> loads_;
     std::vector<std::unique_ptr<FailingBonds>> sets_;
     std::optional<FailingPart> part_;
     Eigen::VectorXd displacements_; ///< m and rad, of the last settled instant
