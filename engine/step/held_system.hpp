@@ -26,7 +26,9 @@ public:
     /// g.K^-1 f = forward(g) . over_pivots(forward(f)). Entries on held rows of a right side are what is given there, as
     /// force; zero holds.
     [[nodiscard]] Eigen::VectorXd right_side(const Eigen::VectorXd& force, const Eigen::VectorXd& given) const;
-    [[nodiscard]] Eigen::VectorXd forward(const Eigen::VectorXd& right_side) const { return factor_.forward(right_side); }
+    [[nodiscard]] Eigen::VectorXd forward(const Eigen::VectorXd& right_side) const {
+        return factor_.forward(right_side);
+    }
     [[nodiscard]] Eigen::VectorXd over_pivots(const Eigen::VectorXd& y) const { return factor_.over_pivots(y); }
     [[nodiscard]] Eigen::VectorXd backward(const Eigen::VectorXd& y) const { return factor_.backward(y); }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -15,11 +16,10 @@ namespace demlua::step {
 namespace {
 
 constexpr double overshoot = 0.005;      ///< by which a bond may exceed its strength before it is let fail
-constexpr double together = 0.98;        ///< bonds within this share of the nearest to failing yield at once
-constexpr double tied = 1.0 - 1e-6;      ///< the same for bonds that break without yielding, which may relieve others
 constexpr int most_sweeps = 3000;        ///< in search of one rest
 constexpr double greatest_opening = 0.1; ///< of an element's radius; beyond, displacements are not small
 constexpr double least_share = 1e-4;     ///< of the run's duration, the shortest way from rest to rest
+constexpr double same_load = 5e-4;       ///< of the run's duration: so near to each other loads are one
 
 std::vector<std::unique_ptr<FailingBonds>> failing_sets(state::State& state) {
     std::vector<std::unique_ptr<FailingBonds>> sets;
@@ -105,12 +105,19 @@ void QuasiStatic::add(std::vector<Candidate> bonds) {
 void QuasiStatic::let_fail(double use) {
     std::vector<Candidate> failing;
     for (const std::unique_ptr<FailingBonds>& set : sets_) {
-        const double least = std::max(1.0, (set->yields() ? together : tied) * use);
+        const double least = std::max(1.0, set->together() * use);
         for (std::size_t k = 0; k < set->bonds(); ++k) {
             if (set->use(k) >= least) failing.push_back({set.get(), k});
         }
     }
     add(std::move(failing));
+}
+
+/// At the last rest up to `time`, or the first that is known.
+std::size_t QuasiStatic::broken_at(double time) const {
+    const auto after = std::upper_bound(rests_.begin(), rests_.end(), time,
+                                        [](double t, const RestKnown& rest) { return t < rest.time; });
+    return after == rests_.begin() ? rests_.front().broken : std::prev(after)->broken;
 }
 
 bool QuasiStatic::no_rest(double time, const std::string& what) {
@@ -121,7 +128,7 @@ bool QuasiStatic::no_rest(double time, const std::string& what) {
 
 /// Lets bonds fail at one instant until none should any more.
 bool QuasiStatic::follow(double time, Trial trial) {
-    const std::size_t broken_before = broken();
+    const std::size_t broken_before = broken_at(time - same_load * said_.duration);
     const std::size_t failing_before = part_->size();
     const double open = greatest_opening * least_radius(state_.elements);
     while (true) {
@@ -145,6 +152,7 @@ bool QuasiStatic::follow(double time, Trial trial) {
 void QuasiStatic::keep() {
     for (const std::unique_ptr<FailingBonds>& set : sets_) set->keep();
     kept_ = part_->size();
+    rests_.push_back({at_, broken()});
 }
 
 void QuasiStatic::restore() {
