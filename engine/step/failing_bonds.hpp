@@ -68,8 +68,7 @@ public:
 
     // --- all bonds of the set ----------------------------------------------------------------------------------------
     [[nodiscard]] virtual std::size_t bonds() const = 0;
-    /// Share of the nearest to failing from which on bonds are let fail with it: those that wake change no force, so that all
-    /// may that do; others relieve each other.
+    /// Share of the nearest to failing from which on bonds are let fail with it.
     [[nodiscard]] virtual double together() const = 0;
     /// Middle between the elements of bond `k` at the start, m.
     [[nodiscard]] virtual Vec2 place(std::size_t k) const = 0;
@@ -122,7 +121,6 @@ public:
     [[nodiscard]] double together() const override {
         constexpr double nearly = 0.98;
         constexpr double tied = 1.0 - 1e-6;
-        if constexpr (Law::wakes) return 0.0;
         return Law::yields ? nearly : tied;
     }
     [[nodiscard]] Vec2 place(std::size_t k) const override {
@@ -173,7 +171,10 @@ public:
         row.history = bonds_.history.at(k);
         if constexpr (Law::yields) row.offset = {row.history.stretch, row.history.shear};
         if constexpr (Law::wakes) {
-            if (row.history.cap == 0.0) row.history.cap = Law::pull(law::BondForce<double>{force_[k][0], force_[k][1]});
+            // Under slow loads it woke where it came to its strength, wherever the last event has left it.
+            if (row.history.cap == 0.0) {
+                row.history.cap = Law::pull(law::BondForce<double>{force_[k][0], force_[k][1]}) / std::max(1.0, use(k));
+            }
         }
         row.borne = {force_[k][0], force_[k][1]};
         row.strength = row.borne.cwiseAbs().maxCoeff();
@@ -269,14 +270,16 @@ public:
         settle_broken(state, bonds_, breaking, contacts);
         bonds_.fracture_work = before + released;
         for (std::size_t n = 0; n < breaking.size(); ++n) {
-            // They opened on after they broke, and lost then what they held when they broke.
             const Row& row = rows_[row_of_[breaking[n]]];
-            double& reference = contacts[first_contact + n].reference;
-            reference = std::min(reference, bonds_.length[row.bond] + row.closed);
+            const Faces faces = faces_of(state, row);
+            contacts[first_contact + n].reference = faces.reference;
+            contacts[first_contact + n].history = faces.history;
             if constexpr (Law::breaks) {
-                bonds_.contact_length[row.bond] = reference;
                 state.cracks[first_crack + n].energy = plastic_work(bonds_, row.bond) + row.released;
             }
+        }
+        for (Row& row : rows_) {
+            if (row.settled) settle_faces(state, row);
         }
     }
 
@@ -293,7 +296,48 @@ private:
         bool settled = false;  ///< broken in the set as well
         double closed = 0.0;   ///< normal offset at which the faces of a broken bond touch, m
         double released = 0.0; ///< stored in the bond when it broke, J
+        double rubbed = 0.0;   ///< slip of a broken bond at the last rest, m
+        double cap = 0.0;      ///< friction there, N; 0 while open
     };
+
+    /// What a contact is to know of the faces of a broken bond at rest.
+    struct Faces {
+        double reference = 0.0; ///< m
+        double cap = 0.0;       ///< friction, N
+        state::ContactHistory history;
+    };
+
+    /// From offsets and forces of the rest, not from how far the elements stand apart: a cell under stress is longer or shorter.
+    [[nodiscard]] Faces faces_of(const state::State& state, const Row& row) const {
+        constexpr double rounding = 1e-12; // of the bond's length
+        const double distance = state.distance(bonds_.i[row.bond], bonds_.j[row.bond]);
+        const double gap = row.offset[0] - row.closed;
+        if (gap > rounding * distance) return {distance - gap, 0.0, {}};
+        const double pressed = std::max(0.0, -force_[row.bond][0]);
+        Faces faces{distance + pressed / contact_.Kn, contact_.mu * pressed, {}};
+        if (!(contact_.Kt > 0.0)) return faces;
+        faces.history.force = std::clamp(force_[row.bond][1], -faces.cap, faces.cap);
+        faces.history.shear = faces.history.force / contact_.Kt;
+        return faces;
+    }
+
+    /// Brings the contact of a broken bond up to date and books what its faces have rubbed since the last rest.
+    void settle_faces(state::State& state, Row& row) {
+        const Faces faces = faces_of(state, row);
+        const double slip = std::fabs(row.offset[1] - row.rubbed);
+        if (row.cap > 0.0 && faces.cap > 0.0) {
+            state.contacts.booked.friction += 0.5 * (row.cap + faces.cap) * slip;
+        }
+        row.rubbed = row.offset[1];
+        row.cap = faces.cap;
+        if constexpr (Law::breaks) bonds_.contact_length[row.bond] = faces.reference;
+        state::Contacts& list = state.contacts;
+        for (std::size_t c = 0; c < list.size(); ++c) {
+            if (list.i[c] != bonds_.i[row.bond] || list.j[c] != bonds_.j[row.bond]) continue;
+            list.reference[c] = faces.reference;
+            list.history.store(c, faces.history);
+        }
+    }
 
     /// By the law of the bond while it holds. One that breaks without yielding does so under what it bore when it was added,
     /// for bonds added with it may have relieved it since.
