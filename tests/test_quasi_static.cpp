@@ -122,7 +122,7 @@ TEST_CASE("faces of a broken bond pressed and slid rub by what friction does alo
     const double Kt = Kn * (1.0 - 3.0 * nu) / (1.0 + nu);
     const double apart = 2.0 * normal_cap(material) / Kn;
     const double overlap = 1e-7;
-    const double slid = 5e-7;
+    const double slid = 2e-6;
     model::Motion motion = drawn(apart, 0.3);
     motion.displacement_x = Signal{{0.0, 0.3, 0.6, 1.0}, {0.0, apart, -overlap, -overlap}};
     motion.displacement_y = Signal{{0.0, 0.6, 1.0}, {0.0, 0.0, slid}};
