@@ -11,7 +11,8 @@ local handbook = dem.include "shared/handbook.lua" {}
 local p = dem.param {
   kind    = { "edge", help = "of crack: \"edge\", \"centre\" or \"double\"" },
   width   = { 25, help = "of the plate, in a_t" },
-  share   = { 0.25, help = "of the width that the crack takes; both cracks, where there are two" },
+  share   = { 0.25, help = "of the width that the crack takes, along itself; both cracks, where there are two" },
+  angle   = { 0, help = "degrees by which a centre crack is slanted" },
   spacing = { 10e-3, "m", help = "of elements along the crack's line" },
   packing = { "relaxed", help = "\"relaxed\", finer along the crack's line; or rows \"along\" the crack or \"across\" it" },
   seed    = { 1, help = "of the relaxed pack" },
@@ -38,11 +39,15 @@ local cohesive_zone = {
 }
 local function solved(q)
   local share = ((cohesive_zone[q.kind] or {})[q.width] or {})[q.share]
-  return share and share * strength
+  return q.angle == 0 and share and share * strength
 end
 local shape = { edge = handbook.edge_crack, centre = handbook.centre_crack, double = handbook.double_edge_crack }
 if not shape[p.kind] then error('kind: "edge", "centre" or "double"') end
+if p.angle ~= 0 and p.kind ~= "centre" then error("angle: of a centre crack only") end
 local brittle = handbook.critical_stress(toughness, p.kind == "edge" and crack or crack / 2, shape[p.kind](p.share))
+-- Slanted: a wide plate's, by the hoop stress at the tip, and the width's factor.
+local slant = math.rad(p.angle)
+if p.angle ~= 0 then brittle = handbook.slanted_critical_stress(toughness, crack / 2, slant) / handbook.centre_crack(p.share) end
 
 -- Only plates for which a cohesive zone was solved can be judged.
 if solved(p) then
@@ -54,7 +59,8 @@ if solved(p) then
 end
 
 -- Along the crack's line elements stand d apart; away from it each next row is up to a fifth farther.
-local function size(x, y) return d + 0.2 * math.max(0, math.abs(y - middle) - 8 * d) end
+local rise = crack / 2 * math.sin(math.abs(slant))
+local function size(x, y) return d + 0.2 * math.max(0, math.abs(y - middle) - rise - 8 * d) end
 local pack
 if p.packing == "relaxed" then
   pack = dem.relaxed { size = size, seed = p.seed }
@@ -77,7 +83,8 @@ local cuts = {
   double = { { -d, crack / 2 }, { width - crack / 2, width + d } },
 }
 for _, cut in ipairs(cuts[p.kind]) do
-  sim:notch { plate, from = { cut[1], y }, to = { cut[2], y } }
+  local function at(x) return { width / 2 + (x - width / 2) * math.cos(slant), y + (x - width / 2) * math.sin(slant) } end
+  sim:notch { plate, from = p.angle == 0 and { cut[1], y } or at(cut[1]), to = p.angle == 0 and { cut[2], y } or at(cut[2]) }
 end
 
 -- The loads balance; one place far from the crack keeps the plate from floating.

@@ -112,6 +112,36 @@ TEST_CASE("a softening bond drawn apart from rest to rest follows its triangle")
     CHECK(std::fabs(simulation.ledger().error) < 1e-9 * owed);
 }
 
+TEST_CASE("faces of a broken bond pressed and slid rub by what friction does along their slip") {
+    // Coulomb: sticking up to mu N/Kt, then slipping under mu N, so that mu N (s - mu N/Kt) is rubbed; N = Kn times the overlap.
+    model::Scene scene = pair_with(model::BrittleTensileBonds{});
+    const model::Material& material = scene.materials[0];
+    const double nu = material.poissons_ratio;
+    const double Kn =
+        material.youngs_modulus / (std::numbers::sqrt3 * (1.0 - nu)); // eqs 15, 16, plane stress, 1 m thick
+    const double Kt = Kn * (1.0 - 3.0 * nu) / (1.0 + nu);
+    const double apart = 2.0 * normal_cap(material) / Kn;
+    const double overlap = 1e-7;
+    const double slid = 2e-6;
+    model::Motion motion = drawn(apart, 0.3);
+    motion.displacement_x = Signal{{0.0, 0.3, 0.6, 1.0}, {0.0, apart, -overlap, -overlap}};
+    motion.displacement_y = Signal{{0.0, 0.6, 1.0}, {0.0, 0.0, slid}};
+    scene.supports[1].y = false;
+    scene.motions.push_back(motion);
+    Simulation simulation(scene, 1);
+    double while_open = 0.0;
+    const observe::Watcher watcher{0.05, [&](Simulation& now) {
+                                       if (now.time() < 0.55) while_open = now.ledger().friction;
+                                   }};
+    simulation.run_quasi_static(for_duration(1.0), {watcher});
+    CHECK(simulation.time() == Approx(1.0));
+    CHECK(simulation.state().cracks.size() == 1);
+    CHECK(while_open == 0.0);
+    const double cap = material.friction * Kn * overlap;
+    CHECK(cap / Kt < slid);
+    CHECK(std::fabs(simulation.ledger().friction / (cap * (slid - cap / Kt)) - 1.0) < 1e-4);
+}
+
 TEST_CASE("where nothing fails a run from rest to rest ends where the static solution does") {
     // Both solve the same linear system: first order in displacements from bonding.
     const bool facets = GENERATE(false, true);
@@ -194,6 +224,8 @@ TEST_CASE("a notched strip drawn apart breaks at the load a slow pull in time fi
     const observe::RunReport report = at_rest.run_quasi_static(for_duration(1.0), {});
     CHECK(report.ending == Ending::stopped);
     const double bears = most * at_rest.time();
+    // The strip is drawn apart along the crack's normal: its faces only open.
+    CHECK(at_rest.ledger().friction == 0.0);
 
     model::Damping damping;
     damping.fraction = 0.5;

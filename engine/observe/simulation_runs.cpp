@@ -105,8 +105,9 @@ RunReport Simulation::run_quasi_static(const model::QuasiStaticRun& said, const 
         const Ledger before = ledger_of(*state_);
         const bool found = slowly.advance(until);
         const Ledger after = ledger_of(*state_);
-        state_->booked.loads += stored(after) + spent(after) - stored(before) - spent(before);
-        inside_->balance_at_start += balance(ledger_of(*state_)) - balance(before);
+        const double worked = stored(after) + spent(after) - stored(before) - spent(before);
+        state_->booked.loads += worked;
+        inside_->balance_at_start += balance(after) - worked - balance(before);
         if (!found) stop(slowly.why());
         return found;
     };

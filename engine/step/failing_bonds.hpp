@@ -6,6 +6,7 @@
 #include "engine/step/waking.hpp"
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -48,6 +49,13 @@ struct GivenWay {
     double beyond = 0.0;                             ///< force that was more than it could bear, N
 };
 
+/// A direction in which a bond's offset moves while its force grows: by along * (slope . change of force).
+struct Way {
+    Eigen::Vector2d along; ///< of norm 1
+    Eigen::Vector2d slope; ///< m/N
+    bool back = false;     ///< whether it also moves back
+};
+
 /// One bond that has failed in some way: its offset w (bond_offsets.hpp) since bonding and what its law remembers.
 class FailingBonds {
 public:
@@ -60,8 +68,8 @@ public:
 
     // --- all bonds of the set ----------------------------------------------------------------------------------------
     [[nodiscard]] virtual std::size_t bonds() const = 0;
-    /// Whether they yield before they break.
-    [[nodiscard]] virtual bool yields() const = 0;
+    /// Share of the nearest to failing from which on bonds are let fail with it.
+    [[nodiscard]] virtual double together() const = 0;
     /// Middle between the elements of bond `k` at the start, m.
     [[nodiscard]] virtual Vec2 place(std::size_t k) const = 0;
     /// Bonds that hold and have an offset from before.
@@ -84,6 +92,14 @@ public:
     /// Lets the bond of `row` give way under `force` (N), where an offset w meets `stiffness` (N/m, normal and shear;
     /// positive), by its law.
     virtual GivenWay give_way(std::size_t row, Eigen::Vector2d force, Eigen::Vector2d stiffness) = 0;
+    /// What give_way reckons with where an offset meets `stiffness`.
+    [[nodiscard]] virtual Eigen::Vector2d reckoned(std::size_t row, Eigen::Vector2d stiffness) const = 0;
+    /// What give_way would answer; nothing changes.
+    [[nodiscard]] virtual GivenWay would_give(std::size_t row, Eigen::Vector2d force,
+                                              Eigen::Vector2d stiffness) const = 0;
+    /// Ways of a row that last moved by `moved`; none where that says nothing about how it moves on.
+    [[nodiscard]] virtual std::vector<Way> ways(std::size_t row, Eigen::Vector2d force, Eigen::Vector2d stiffness,
+                                                Eigen::Vector2d moved) const = 0;
     /// Rows as they are now come back with `restore`; rows added since are lost.
     virtual void keep() = 0;
     virtual void restore() = 0;
@@ -102,7 +118,11 @@ public:
         : bonds_(bonds), elements_(elements), network_(bonds), contact_(contact), row_of_(bonds.size(), none) {}
 
     [[nodiscard]] std::size_t bonds() const override { return bonds_.size(); }
-    [[nodiscard]] bool yields() const override { return Law::yields; }
+    [[nodiscard]] double together() const override {
+        constexpr double nearly = 0.98;
+        constexpr double tied = 1.0 - 1e-6;
+        return Law::yields ? nearly : tied;
+    }
     [[nodiscard]] Vec2 place(std::size_t k) const override {
         const std::size_t i = bonds_.i[k];
         const std::size_t j = bonds_.j[k];
@@ -151,7 +171,10 @@ public:
         row.history = bonds_.history.at(k);
         if constexpr (Law::yields) row.offset = {row.history.stretch, row.history.shear};
         if constexpr (Law::wakes) {
-            if (row.history.cap == 0.0) row.history.cap = Law::pull(law::BondForce<double>{force_[k][0], force_[k][1]});
+            // Under slow loads it woke where it came to its strength, wherever the last event has left it.
+            if (row.history.cap == 0.0) {
+                row.history.cap = Law::pull(law::BondForce<double>{force_[k][0], force_[k][1]}) / std::max(1.0, use(k));
+            }
         }
         row.borne = {force_[k][0], force_[k][1]};
         row.strength = row.borne.cwiseAbs().maxCoeff();
@@ -169,9 +192,55 @@ public:
 
     GivenWay give_way(std::size_t number, Eigen::Vector2d force, Eigen::Vector2d stiffness) override {
         Row& row = rows_[number];
-        GivenWay given = row.broken ? part(row, force, stiffness) : yield(row, force, stiffness);
+        const GivenWay given = row.broken ? part(row, force, stiffness) : yield(row, force, stiffness);
         row.offset += given.moved;
         return given;
+    }
+
+    [[nodiscard]] Eigen::Vector2d reckoned(std::size_t number, Eigen::Vector2d stiffness) const override {
+        if constexpr (Law::breaks) {
+            const Row& row = rows_[number];
+            if (row.broken) return stiffness;
+            const law::ContactStiffness met = params_against(network_, row.bond, {stiffness[0], stiffness[1]}).second;
+            return {met.normal, met.shear};
+        }
+        return stiffness;
+    }
+
+    [[nodiscard]] GivenWay would_give(std::size_t number, Eigen::Vector2d force,
+                                      Eigen::Vector2d stiffness) const override {
+        Row row = rows_[number];
+        return row.broken ? part(row, force, stiffness) : yield(row, force, stiffness);
+    }
+
+    /// Slopes by differences, just beyond what it bears. Broken and open, it moves either way freely.
+    [[nodiscard]] std::vector<Way> ways(std::size_t number, Eigen::Vector2d force, Eigen::Vector2d stiffness,
+                                        Eigen::Vector2d moved) const override {
+        const Row& row = rows_[number];
+        if (row.broken) {
+            const bool touches = force[0] <= stiffness[0] * (row.closed - row.offset[0]);
+            if (touches || !(stiffness[1] > 0.0)) return {};
+            return {{Eigen::Vector2d::UnitX(), {1.0 / stiffness[0], 0.0}, true},
+                    {Eigen::Vector2d::UnitY(), {0.0, 1.0 / stiffness[1]}, true}};
+        }
+        constexpr double small = 1e-3;
+        const double push = small * row.strength;
+        const Eigen::Vector2d along = moved.normalized();
+        const Eigen::Vector2d beyond = force + push * reckoned(number, stiffness).cwiseProduct(along).normalized();
+        Eigen::Matrix2d slopes; // d moved/d force
+        for (const Eigen::Index c : {0, 1}) {
+            const Eigen::Vector2d half = 0.5 * push * Eigen::Vector2d::Unit(c);
+            Row more = row;
+            Row less = row;
+            slopes.col(c) =
+                (yield(more, beyond + half, stiffness).moved - yield(less, beyond - half, stiffness).moved) / push;
+            if (more.broken || less.broken) return {};
+        }
+        const double least = small * slopes.squaredNorm();
+        if (std::fabs(slopes.determinant()) < least) return {{along, slopes.transpose() * along, false}};
+        const Eigen::Vector2d sign = along.cwiseSign();
+        return {{sign[0] * Eigen::Vector2d::UnitX(), sign[0] * slopes.row(0), false},
+                {sign[1] * Eigen::Vector2d::UnitY(), sign[1] * slopes.row(1), false}};
     }
 
     void keep() override { kept_ = rows_; }
@@ -201,14 +270,16 @@ public:
         settle_broken(state, bonds_, breaking, contacts);
         bonds_.fracture_work = before + released;
         for (std::size_t n = 0; n < breaking.size(); ++n) {
-            // They opened on after they broke, and lost then what they held when they broke.
             const Row& row = rows_[row_of_[breaking[n]]];
-            double& reference = contacts[first_contact + n].reference;
-            reference = std::min(reference, bonds_.length[row.bond] + row.closed);
+            const Faces faces = faces_of(state, row);
+            contacts[first_contact + n].reference = faces.reference;
+            contacts[first_contact + n].history = faces.history;
             if constexpr (Law::breaks) {
-                bonds_.contact_length[row.bond] = reference;
                 state.cracks[first_crack + n].energy = plastic_work(bonds_, row.bond) + row.released;
             }
+        }
+        for (Row& row : rows_) {
+            if (row.settled) settle_faces(state, row);
         }
     }
 
@@ -225,11 +296,52 @@ private:
         bool settled = false;  ///< broken in the set as well
         double closed = 0.0;   ///< normal offset at which the faces of a broken bond touch, m
         double released = 0.0; ///< stored in the bond when it broke, J
+        double rubbed = 0.0;   ///< slip of a broken bond at the last rest, m
+        double cap = 0.0;      ///< friction there, N; 0 while open
     };
+
+    /// What a contact is to know of the faces of a broken bond at rest.
+    struct Faces {
+        double reference = 0.0; ///< m
+        double cap = 0.0;       ///< friction, N
+        state::ContactHistory history;
+    };
+
+    /// From offsets and forces of the rest, not from how far the elements stand apart: a cell under stress is longer or shorter.
+    [[nodiscard]] Faces faces_of(const state::State& state, const Row& row) const {
+        constexpr double rounding = 1e-12; // of the bond's length
+        const double distance = state.distance(bonds_.i[row.bond], bonds_.j[row.bond]);
+        const double gap = row.offset[0] - row.closed;
+        if (gap > rounding * distance) return {distance - gap, 0.0, {}};
+        const double pressed = std::max(0.0, -force_[row.bond][0]);
+        Faces faces{distance + pressed / contact_.Kn, contact_.mu * pressed, {}};
+        if (!(contact_.Kt > 0.0)) return faces;
+        faces.history.force = std::clamp(force_[row.bond][1], -faces.cap, faces.cap);
+        faces.history.shear = faces.history.force / contact_.Kt;
+        return faces;
+    }
+
+    /// Brings the contact of a broken bond up to date and books what its faces have rubbed since the last rest.
+    void settle_faces(state::State& state, Row& row) {
+        const Faces faces = faces_of(state, row);
+        const double slip = std::fabs(row.offset[1] - row.rubbed);
+        if (row.cap > 0.0 && faces.cap > 0.0) {
+            state.contacts.booked.friction += 0.5 * (row.cap + faces.cap) * slip;
+        }
+        row.rubbed = row.offset[1];
+        row.cap = faces.cap;
+        if constexpr (Law::breaks) bonds_.contact_length[row.bond] = faces.reference;
+        state::Contacts& list = state.contacts;
+        for (std::size_t c = 0; c < list.size(); ++c) {
+            if (list.i[c] != bonds_.i[row.bond] || list.j[c] != bonds_.j[row.bond]) continue;
+            list.reference[c] = faces.reference;
+            list.history.store(c, faces.history);
+        }
+    }
 
     /// By the law of the bond while it holds. One that breaks without yielding does so under what it bore when it was added,
     /// for bonds added with it may have relieved it since.
-    GivenWay yield(Row& row, Eigen::Vector2d force, Eigen::Vector2d stiffness) {
+    GivenWay yield(Row& row, Eigen::Vector2d force, Eigen::Vector2d stiffness) const {
         if constexpr (Law::breaks && !Law::yields) {
             row.broken = true;
             row.closed = row.offset[0];

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -15,11 +16,10 @@ namespace demlua::step {
 namespace {
 
 constexpr double overshoot = 0.005;      ///< by which a bond may exceed its strength before it is let fail
-constexpr double together = 0.98;        ///< bonds within this share of the nearest to failing yield at once
-constexpr double tied = 1.0 - 1e-6;      ///< the same for bonds that break without yielding, which may relieve others
 constexpr int most_sweeps = 3000;        ///< in search of one rest
 constexpr double greatest_opening = 0.1; ///< of an element's radius; beyond, displacements are not small
 constexpr double least_share = 1e-4;     ///< of the run's duration, the shortest way from rest to rest
+constexpr double same_load = 5e-4;       ///< of the run's duration: so near to each other loads are one
 
 std::vector<std::unique_ptr<FailingBonds>> failing_sets(state::State& state) {
     std::vector<std::unique_ptr<FailingBonds>> sets;
@@ -54,6 +54,7 @@ QuasiStatic::QuasiStatic(state::State& state, Stepper& stepper, const model::Qua
     if (system_->singular()) {
         refuse(asked_, "the bonds leave a motion that takes no force", "look for a hinge or a chain");
     }
+    loads_.emplace(*system_);
     part_.emplace(*system_, per_radius_);
     const Eigen::VectorXd nowhere = Eigen::VectorXd::Zero(per_radius_.size());
     for (const std::unique_ptr<FailingBonds>& set : sets_) {
@@ -78,7 +79,8 @@ QuasiStatic::Trial QuasiStatic::settle(double time) {
     const Eigen::VectorXd outer = outer_forces(state_, stepper_, per_radius_);
     const Eigen::VectorXd given = places_held(state_.elements, held_freedoms(state_));
     state_.time = now;
-    const Eigen::VectorXd loaded = system_->solve(outer, given.cwiseQuotient(per_radius_)).cwiseProduct(per_radius_);
+    const Eigen::VectorXd right = system_->right_side(outer, given.cwiseQuotient(per_radius_));
+    const Eigen::VectorXd loaded = loads_->solution(right).cwiseProduct(per_radius_);
     Trial trial;
     trial.left = part_->relax(loaded, said_.tolerance, most_sweeps);
     displacements_ = loaded + part_->displacements();
@@ -103,12 +105,19 @@ void QuasiStatic::add(std::vector<Candidate> bonds) {
 void QuasiStatic::let_fail(double use) {
     std::vector<Candidate> failing;
     for (const std::unique_ptr<FailingBonds>& set : sets_) {
-        const double least = std::max(1.0, (set->yields() ? together : tied) * use);
+        const double least = std::max(1.0, set->together() * use);
         for (std::size_t k = 0; k < set->bonds(); ++k) {
             if (set->use(k) >= least) failing.push_back({set.get(), k});
         }
     }
     add(std::move(failing));
+}
+
+/// At the last rest up to `time`, or the first that is known.
+std::size_t QuasiStatic::broken_at(double time) const {
+    const auto after = std::upper_bound(rests_.begin(), rests_.end(), time,
+                                        [](double t, const RestKnown& rest) { return t < rest.time; });
+    return after == rests_.begin() ? rests_.front().broken : std::prev(after)->broken;
 }
 
 bool QuasiStatic::no_rest(double time, const std::string& what) {
@@ -119,7 +128,7 @@ bool QuasiStatic::no_rest(double time, const std::string& what) {
 
 /// Lets bonds fail at one instant until none should any more.
 bool QuasiStatic::follow(double time, Trial trial) {
-    const std::size_t broken_before = broken();
+    const std::size_t broken_before = broken_at(time - same_load * said_.duration);
     const std::size_t failing_before = part_->size();
     const double open = greatest_opening * least_radius(state_.elements);
     while (true) {
@@ -143,6 +152,7 @@ bool QuasiStatic::follow(double time, Trial trial) {
 void QuasiStatic::keep() {
     for (const std::unique_ptr<FailingBonds>& set : sets_) set->keep();
     kept_ = part_->size();
+    rests_.push_back({at_, broken()});
 }
 
 void QuasiStatic::restore() {
@@ -181,12 +191,16 @@ bool QuasiStatic::advance(double until) {
 /// Writes the rest that was found into the state.
 void QuasiStatic::place(double time) {
     state::Elements& elements = state_.elements;
+    double farthest = 0.0;
     for (std::size_t k = 0; k < elements.size(); ++k) {
         const auto row = static_cast<Eigen::Index>(3 * k);
-        elements.ux[k] = displacements_[row];
-        elements.uy[k] = displacements_[row + 1];
+        const Vec2 to{displacements_[row], displacements_[row + 1]};
+        farthest = std::max(farthest, norm(to - elements.displacement(k)));
+        elements.ux[k] = to.x;
+        elements.uy[k] = to.y;
         elements.rotation[k] = displacements_[row + 2];
     }
+    travel(stepper_.search, farthest);
     stop_motion(elements);
     at_ = state_.time = time;
     ++state_.step;
@@ -194,7 +208,6 @@ void QuasiStatic::place(double time) {
     const double dt = std::exchange(state_.dt, 0.0);
     for (const std::unique_ptr<FailingBonds>& set : sets_) set->settle(state_, contacts);
     append_contacts(state_, stepper_.search, contacts);
-    put_in_doubt(stepper_.search);
     compute_forces(state_, stepper_);
     state_.dt = dt;
     if (!state_.drives.empty()) apply_drives(state_);

@@ -15,6 +15,7 @@
 #include "engine/state/state.hpp"
 #include "engine/step/at_rest.hpp"
 #include "engine/step/failing_part.hpp"
+#include "engine/step/solved_sides.hpp"
 #include "engine/step/step.hpp"
 
 #include <Eigen/Core>
@@ -49,6 +50,11 @@ private:
         std::size_t bond;
     };
 
+    struct RestKnown {
+        double time = 0.0; ///< s
+        std::size_t broken = 0;
+    };
+
     Trial settle(double time);
     bool follow(double time, Trial trial);
     void add(std::vector<Candidate> bonds);
@@ -58,6 +64,7 @@ private:
     void restore();
     void place(double time);
     [[nodiscard]] std::size_t broken() const;
+    [[nodiscard]] std::size_t broken_at(double time) const;
 
     state::State& state_;
     Stepper& stepper_;
@@ -66,13 +73,15 @@ private:
     Held held_;
     Eigen::VectorXd per_radius_;
     std::optional<HeldSystem> system_;
+    std::optional<SolvedSides> loads_;
     std::vector<std::unique_ptr<FailingBonds>> sets_;
     std::optional<FailingPart> part_;
     Eigen::VectorXd displacements_; ///< m and rad, of the last settled instant
     std::size_t kept_ = 0;          ///< bonds of part_ at the last rest
-    double at_ = 0.0;               ///< time of the last rest, s
-    double use_ = 0.0;              ///< there
-    double ahead_ = 0.0;            ///< by how much time goes on next, s
+    std::vector<RestKnown> rests_;
+    double at_ = 0.0;    ///< time of the last rest, s
+    double use_ = 0.0;   ///< there
+    double ahead_ = 0.0; ///< by how much time goes on next, s
     std::string why_;
 };
 
