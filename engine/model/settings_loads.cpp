@@ -197,8 +197,8 @@ const WordOf<RunSaid>& run() {
              R"("dynamic": steps of motion; "quasi-static": from rest to rest, as if the loads grew slowly, for bonded bodies without walls, rigid bodies or contacts; the run ends early, with the reason, where there is no rest beyond: the time is then that of the last rest)"),
          row<&RunSaid::runs_after>(
              "runs_after", "", optional, positive,
-             "quasi-static: bonds broken one after another while the load stands still, after which "
-             "there is said to be no rest")});
+             "quasi-static: bonds broken one after another while the load grows by less than 1/2000 of the run, after "
+             "which there is said to be no rest")});
     return made;
 }
 

@@ -64,7 +64,7 @@ Eigen::Map<const Eigen::MatrixXd> BlockedFactor::values(const Block& block) cons
 
 Eigen::VectorXd BlockedFactor::forward(const Eigen::VectorXd& f) const {
     Eigen::VectorXd x = order_ * f;
-    Eigen::VectorXd taken(most_below_);
+    Eigen::VectorXd taken = Eigen::VectorXd::Zero(most_below_);
     for (const Block& block : blocks_) {
         auto own = x.segment(block.first, block.width);
         if ((own.array() == 0.0).all()) continue;
@@ -82,17 +82,17 @@ Eigen::VectorXd BlockedFactor::forward(const Eigen::VectorXd& f) const {
 
 Eigen::VectorXd BlockedFactor::backward(const Eigen::VectorXd& y) const {
     Eigen::VectorXd x = over_pivots(y);
-    Eigen::VectorXd under(most_below_);
+    Eigen::VectorXd under = Eigen::VectorXd::Zero(most_below_);
     for (std::size_t b = blocks_.size(); b-- > 0;) {
         const Block& block = blocks_[b];
         const int* rows = rows_.data() + block.rows_at;
         for (Eigen::Index r = 0; r < block.below; ++r) under[r] = x[rows[r]];
         const auto L = values(block);
         auto own = x.segment(block.first, block.width);
-        own.noalias() -= L.bottomRows(block.below).transpose() * under.head(block.below);
-        for (Eigen::Index c = block.width - 1; c-- > 0;) {
+        for (Eigen::Index c = block.width; c-- > 0;) {
             const Eigen::Index after = block.width - c - 1;
-            own[c] -= L.col(c).segment(c + 1, after).dot(own.tail(after));
+            own[c] -= L.col(c).tail(block.below).dot(under.head(block.below)) +
+                      L.col(c).segment(c + 1, after).dot(own.tail(after));
         }
     }
     return order_.transpose() * x;

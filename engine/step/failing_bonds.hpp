@@ -192,7 +192,7 @@ public:
 
     GivenWay give_way(std::size_t number, Eigen::Vector2d force, Eigen::Vector2d stiffness) override {
         Row& row = rows_[number];
-        const GivenWay given = row.broken ? part(row, force, stiffness) : yield(row, force, stiffness);
+        GivenWay given = row.broken ? part(row, force, stiffness) : yield(row, force, stiffness);
         row.offset += given.moved;
         return given;
     }
