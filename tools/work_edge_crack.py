@@ -87,10 +87,9 @@ there are slow pulls to measure them against. These, extrapolated, and runs from
 two is off cannot be told, so no smaller error is."""
 
 CLOSING = """\
-- **From rest to rest saves choices, not time.** At 3.91 mm it takes {rest}. A pull of 400 ms takes {pull} and is still {above}
-  above it; three pulls, extrapolated, take {pulls} and come within {apart} of it. But the pulls had to be chosen, and their damping and
-  what is read as failure; the other has nothing to choose. That is why `driver = "quasi-static"` is there. The scene's own
-  default pulls, in 50 ms, because its question is what the paper's pull gives.
+- **From rest to rest leaves nothing to choose.** At 3.91 mm it takes {rest}. A pull of 400 ms takes {pull} and is still {above}
+  above it; three pulls, extrapolated, take {pulls} and come within {apart} of it, but they had to be chosen, and their damping and
+  what is read as failure. The scene's own default pulls, in 50 ms, because its question is what the paper's pull gives.
 - **A fast pull hides the size.** At 7 ms the ramp adds {fast}; the radius adds {coarse} at 7.81 mm. Refining alone then gains next to
   nothing.
 - **The step does not enter**: half the step moves the stress by {step} at most.
