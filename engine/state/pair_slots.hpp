@@ -26,28 +26,28 @@ struct PairSlots {
 PairSlots slots_of(const Column<Index>& i, const Column<Index>& j, std::size_t first, std::size_t count,
                    std::size_t spare = 0);
 
-/// Calls `f(row, is_j)` for every pair of `element`, a row of all elements, in the order in which sums are taken.
+/// Calls `f(row, is_j)` for the pairs of `element`, a row of all elements, in the slots start[from] to start[to] of its block.
 template <class F>
-void for_each_pair_of(const PairSlots& slots, std::size_t element, const F& f) {
+void for_each_in_slots(const PairSlots& slots, std::size_t element, std::size_t from, std::size_t to, const F& f) {
     constexpr std::size_t block = PairSlots::block;
     const std::size_t e = element - slots.first;
     const Index* start = slots.start.data() + 2 * (e / block);
-    for (Index slot = start[0]; slot < start[2]; ++slot) {
+    for (Index slot = start[from]; slot < start[to]; ++slot) {
         const Index row = slots.row[block * slot + e % block];
         if (row != slots.none) f(std::size_t{row}, slot >= start[1]);
     }
 }
 
-/// The same for those of which `element` is the i.
+/// Calls `f(row, is_j)` for every pair of `element`, in the order in which sums are taken.
+template <class F>
+void for_each_pair_of(const PairSlots& slots, std::size_t element, const F& f) {
+    for_each_in_slots(slots, element, 0, 2, f);
+}
+
+/// Calls `f(row)` for those of which `element` is the i.
 template <class F>
 void for_each_pair_from(const PairSlots& slots, std::size_t element, const F& f) {
-    constexpr std::size_t block = PairSlots::block;
-    const std::size_t e = element - slots.first;
-    const Index* start = slots.start.data() + 2 * (e / block);
-    for (Index slot = start[0]; slot < start[1]; ++slot) {
-        const Index row = slots.row[block * slot + e % block];
-        if (row != slots.none) f(std::size_t{row});
-    }
+    for_each_in_slots(slots, element, 0, 1, [&](std::size_t row, bool /*is_j*/) { f(row); });
 }
 
 } // namespace demlua::state

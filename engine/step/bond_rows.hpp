@@ -109,24 +109,26 @@ struct Moved {
     T turn;
 };
 
+/// Of the elements that `rows` names, from their quads where there are any.
 template <class Lane>
-DEMLUA_INLINE Moved<typename Lane::Number> displacements(const ElementRows& elements, const Index* rows) {
-    if (elements.moved != nullptr) {
-        const typename Lane::Quad quad = Lane::pick_quads(elements.moved, rows);
+DEMLUA_INLINE Moved<typename Lane::Number> looked_up(const double* quads, const double* x, const double* y,
+                                                     const double* turn, const Index* rows) {
+    if (quads != nullptr) {
+        const typename Lane::Quad quad = Lane::pick_quads(quads, rows);
         return {{quad[0], quad[1]}, quad[2]};
     }
     const typename Lane::Picked at(rows);
-    return {{at.of(elements.ux), at.of(elements.uy)}, at.of(elements.rotation)};
+    return {{at.of(x), at.of(y)}, at.of(turn)};
+}
+
+template <class Lane>
+DEMLUA_INLINE Moved<typename Lane::Number> displacements(const ElementRows& elements, const Index* rows) {
+    return looked_up<Lane>(elements.moved, elements.ux, elements.uy, elements.rotation, rows);
 }
 
 template <class Lane>
 DEMLUA_INLINE Moved<typename Lane::Number> velocities(const ElementRows& elements, const Index* rows) {
-    if (elements.speeds != nullptr) {
-        const typename Lane::Quad quad = Lane::pick_quads(elements.speeds, rows);
-        return {{quad[0], quad[1]}, quad[2]};
-    }
-    const typename Lane::Picked at(rows);
-    return {{at.of(elements.vx), at.of(elements.vy)}, at.of(elements.spin)};
+    return looked_up<Lane>(elements.speeds, elements.vx, elements.vy, elements.spin, rows);
 }
 
 /// Kinematics of bonds in the present configuration; s share of i in their length l. Where a bond no longer holds it is that

@@ -238,6 +238,7 @@ void refresh_contacts(state::State& state, Search& search) {
     refresh_pairs(state, search);
     refresh_wall_contacts(state, search.skin, search.places, search.grid);
     refresh_outline_contacts(state, search.skin);
+    // An intact body is searched once: what that took would be held for the whole run.
     if (state.contacts.size() == 0) {
         search.places = {};
         search.grid = {};
