@@ -88,7 +88,7 @@ Rotation<T> rotation_by(T angle) {
 // operations wait for each other.
 
 /// sqrt(1 + x) - 1 for |x| below small_growth.
-inline constexpr double small_growth = 3e-3;
+inline constexpr double small_growth = 3.5e-3;
 template <class T>
 DEMLUA_INLINE T root_growth(T x) {
     const T x2 = x * x;
@@ -103,13 +103,13 @@ DEMLUA_INLINE T inverse_growth(T x) {
     return (1.0 - x) * (1.0 + x2) * (1.0 + x2 * x2);
 }
 
-/// Arcsine, rad, of |sine| below small_sine.
-inline constexpr double small_sine = 0.02;
+/// Arctangent, rad, of |t| below small_slope.
+inline constexpr double small_slope = 0.02;
 template <class T>
-DEMLUA_INLINE T angle_of_small(T sine) {
-    const T q = sine * sine;
-    const T series = (1.0 / 6 + 3.0 / 40 * q) + (15.0 / 336 + 105.0 / 3456 * q) * (q * q);
-    return sine + (sine * q) * series;
+DEMLUA_INLINE T angle_of_small(T t) {
+    const T q = t * t;
+    const T series = (1.0 / 3 - 1.0 / 5 * q) + (1.0 / 7 - 1.0 / 9 * q) * (q * q);
+    return t - (t * q) * series;
 }
 
 } // namespace demlua

@@ -41,18 +41,20 @@ BondMotion<T> large_motion(Vector2<T> D, T l, Vector2<T> du, T turn) {
             l * (shear_angle - revolutions * (2.0 * std::numbers::pi))};
 }
 
-/// By series, from D and du in a frame in which the elements have turned by `turn`; `large` says where these do not reach.
+/// Below this, and b below small_slope, (d/l)^2 - 1 is below small_growth.
+inline constexpr double small_stretch = 1.5e-3;
+
+/// By series in a and b, du over l along D and across it, in a frame in which the elements have turned by `turn`:
+/// (d/l)^2 = (1 + a)^2 + b^2 and tan phi = b/(1 + a). `large` says where these do not reach.
 template <class T, class Mask>
 DEMLUA_INLINE BondMotion<T> motion_by_series(Vector2<T> D, T l, T inverse_l, Vector2<T> du, T turn, Mask& large) {
     const T per_square = inverse_l * inverse_l;
-    const T along = dot(D, du);
-    const T growth = (along + along + dot(du, du)) * per_square;
-    const T strain = root_growth(growth);
+    const T a = dot(D, du) * per_square;
+    const T b = cross(D, du) * per_square;
+    const T strain = root_growth((a + a) + (a * a + b * b));
+    const T shear_angle = angle_of_small(b * inverse_growth(a)) - turn;
     const T inverse_d = inverse_l * inverse_growth(strain);
-    const T sine = cross(D, du) * (inverse_l * inverse_d);
-    const T shear_angle = angle_of_small(sine) - turn;
-    large = either(either(magnitude(growth) > small_growth, magnitude(sine) > small_sine),
-                   either(along * per_square<-0.5, magnitude(shear_angle)> 1.0));
+    large = either(either(magnitude(a) > small_stretch, magnitude(b) > small_slope), magnitude(shear_angle) > 1.0);
     return {inverse_d, inverse_d * (D + du), l * strain, l * shear_angle};
 }
 

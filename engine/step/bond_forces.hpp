@@ -7,6 +7,7 @@
 #include "engine/step/kernels.hpp"
 
 #include <algorithm>
+#include <array>
 #include <tuple>
 #include <vector>
 
@@ -17,9 +18,11 @@ template <class Law>
 DEMLUA_INLINE law::BondMotion<double> motion_of(const state::BondTable<Law>& bonds, const state::Elements& elements,
                                                 std::size_t k) {
     const ElementRows rows = rows_of(elements);
-    return motions(displacements<OneLane>(rows, &bonds.i[k]), displacements<OneLane>(rows, &bonds.j[k]),
-                   OneLane::Held(nullptr), Vec2{bonds.Dx[k], bonds.Dy[k]}, bonds.length[k], bonds.inverse_length[k],
-                   bonds.share_i[k]);
+    const EndMotions<double> ends =
+        end_motions(displacements<OneLane>(rows, &bonds.i[k]), displacements<OneLane>(rows, &bonds.j[k]),
+                    OneLane::Held(nullptr), bonds.share_i[k]);
+    return law::bond_motion(Vec2{bonds.Dx[k], bonds.Dy[k]}, bonds.length[k], bonds.inverse_length[k], ends.du,
+                            ends.turn);
 }
 
 /// Speeds at which a bond stretches and shears, m/s, from the velocities of the last half step.
@@ -59,19 +62,25 @@ double stored_energy(const state::BondSet<Law>& bonds, const state::Elements& el
     return Law::stored_energy(bonds.params, motion_of(bonds, elements, k), bonds.history.at(k));
 }
 
-/// Brings the quads of the elements of a body up to date, where its bonds are looked up in them.
+/// Calls `fill(columns, quads)` for what the bonds of a body keep of its elements in quads, if they do.
+template <class Law, class Fill>
+void for_each_quads(state::BondTable<Law>& bonds, const state::Elements& elements, const Fill& fill) {
+    const auto from = [&](const Column<double>& column) { return column.data() + bonds.slots.first; };
+    const auto columns = [&](const Column<double>& x, const Column<double>& y, const Column<double>& turn) {
+        return std::array{from(x), from(y), from(turn)};
+    };
+    if (!bonds.moved.empty()) fill(columns(elements.ux, elements.uy, elements.rotation), bonds.moved.data());
+    if (!bonds.speeds.empty()) fill(columns(elements.vx, elements.vy, elements.spin), bonds.speeds.data());
+}
+
+/// Brings them up to date.
 template <class Law>
-void fill_quads(state::BondTable<Law>& bonds, const state::Elements& elements, const Kernels& kernels, Team& team) {
+void refresh_quads(state::BondTable<Law>& bonds, const state::Elements& elements, const Kernels& kernels, Team& team) {
     if (bonds.moved.empty()) return;
-    const std::size_t first = bonds.slots.first;
     team.share(bonds.slots.elements, [&](Share part) {
         run_rows(kernels, part, [&](const Kernels& width, std::size_t begin, std::size_t end) {
-            const auto fill = [&](const Column<double>& x, const Column<double>& y, const Column<double>& turn,
-                                  Column<double>& quads) {
-                width.fill_quads({x.data() + first, y.data() + first, turn.data() + first}, quads.data(), begin, end);
-            };
-            fill(elements.ux, elements.uy, elements.rotation, bonds.moved);
-            if (!bonds.speeds.empty()) fill(elements.vx, elements.vy, elements.spin, bonds.speeds);
+            for_each_quads(bonds, elements,
+                           [&](const auto& columns, double* quads) { width.fill_quads(columns, quads, begin, end); });
         });
     });
 }

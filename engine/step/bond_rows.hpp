@@ -6,6 +6,7 @@
 #include "engine/law/rate_dependent.hpp"
 #include "engine/state/bonds.hpp"
 #include "engine/state/elements.hpp"
+#include "engine/step/tile.hpp"
 
 #include <algorithm>
 #include <array>
@@ -131,14 +132,16 @@ DEMLUA_INLINE Moved<typename Lane::Number> velocities(const ElementRows& element
     return looked_up<Lane>(elements.speeds, elements.vx, elements.vy, elements.spin, rows);
 }
 
-/// Kinematics of bonds in the present configuration; s share of i in their length l. Where a bond no longer holds it is that
-/// of a bond at rest, so that none is asked for the large motions of what has parted.
+/// How the ends of bonds have moved, s share of i in their length. Where a bond no longer holds they have not, so that none is
+/// asked for the large motions of what has parted.
+template <class T>
+struct EndMotions {
+    Vector2<T> du; ///< of j less that of i, m
+    T turn;        ///< mean, rad
+};
 template <class Held, class T>
-DEMLUA_INLINE law::BondMotion<T> motions(const Moved<T>& i, const Moved<T>& j, const Held& held, Vector2<T> D, T l,
-                                         T inverse_l, T s) {
-    const T turn = held(s * i.turn + (1.0 - s) * j.turn);
-    const Vector2<T> du{held(j.along.x - i.along.x), held(j.along.y - i.along.y)};
-    return law::bond_motion(D, l, inverse_l, du, turn);
+DEMLUA_INLINE EndMotions<T> end_motions(const Moved<T>& i, const Moved<T>& j, const Held& held, T s) {
+    return {{held(j.along.x - i.along.x), held(j.along.y - i.along.y)}, held(s * i.turn + (1.0 - s) * j.turn)};
 }
 
 /// Speeds at which bonds stretch and shear, m/s, from the velocities of the last half step.
@@ -173,54 +176,81 @@ DEMLUA_INLINE void put_force(const Rows& bonds, std::size_t k, Vector2<T> n, T i
     bonds.forces.template store<Lane>(k, normal * n + (couple * inverse_d) * turned_left(n), moment_i, moment_j);
 }
 
-/// Motions of a few rows, which stay in the nearest memory between the two loops of a kernel.
-struct MotionBlock {
-    static constexpr std::size_t rows = 64;
-    alignas(64) double inverse_length[rows], normal_x[rows], normal_y[rows], stretch[rows], shear[rows];
+/// What the two loops of a kernel read and hand on for a few rows; it stays in the nearest memory.
+struct BondBlock {
+    template <class Law>
+    explicit BondBlock(const BondRows<Law>& bonds)
+        : Dx(bonds.Dx), Dy(bonds.Dy), length(bonds.length), inverse_length(bonds.inverse_length),
+          share_i(bonds.share_i), radius(bonds.radius) {}
+
+    Tile Dx, Dy, length, inverse_length, share_i, radius;
+    struct Motions {
+        alignas(64) double inverse_length[Tile::size], normal_x[Tile::size], normal_y[Tile::size], stretch[Tile::size],
+            shear[Tile::size];
+
+        template <class Lane>
+        DEMLUA_INLINE void put(std::size_t at, const law::BondMotion<typename Lane::Number>& motion) {
+            Lane::store(inverse_length + at, motion.inverse_length);
+            Lane::store(normal_x + at, motion.normal.x);
+            Lane::store(normal_y + at, motion.normal.y);
+            Lane::store(stretch + at, motion.stretch);
+            Lane::store(shear + at, motion.shear);
+        }
+        template <class Lane>
+        [[nodiscard]] DEMLUA_INLINE law::BondMotion<typename Lane::Number> at(std::size_t at) const {
+            return {Lane::load(inverse_length + at),
+                    {Lane::load(normal_x + at), Lane::load(normal_y + at)},
+                    Lane::load(stretch + at),
+                    Lane::load(shear + at)};
+        }
+    } motions;
 };
 
 template <class Lane, class Law>
 void measure(const BondRows<Law>& bonds, const ElementRows& elements, std::size_t begin, std::size_t end,
-             MotionBlock& block) {
+             BondBlock& block) {
     using T = typename Lane::Number;
-    for (std::size_t k = begin; k < end; k += Lane::width) {
+    const double* Dx = block.Dx.rows<Lane>(begin, end);
+    const double* Dy = block.Dy.rows<Lane>(begin, end);
+    const double* length = block.length.rows<Lane>(begin, end);
+    const double* inverse_length = block.inverse_length.rows<Lane>(begin, end);
+    const double* share_i = block.share_i.rows<Lane>(begin, end);
+    for (std::size_t at = 0; at < end - begin; at += Lane::width) {
+        const std::size_t k = begin + at;
         const typename Lane::Held held(Law::breaks ? bonds.broken + k : nullptr);
         if (held.none()) continue;
-        const Vector2<T> D{bonds.Dx.template load<Lane>(k), bonds.Dy.template load<Lane>(k)};
-        const law::BondMotion<T> motion =
-            motions(displacements<Lane>(elements, bonds.i + k), displacements<Lane>(elements, bonds.j + k), held, D,
-                    bonds.length.template load<Lane>(k), bonds.inverse_length.template load<Lane>(k),
-                    bonds.share_i.template load<Lane>(k));
-        const std::size_t at = k - begin;
-        Lane::store(block.inverse_length + at, motion.inverse_length);
-        Lane::store(block.normal_x + at, motion.normal.x);
-        Lane::store(block.normal_y + at, motion.normal.y);
-        Lane::store(block.stretch + at, motion.stretch);
-        Lane::store(block.shear + at, motion.shear);
+        const EndMotions<T> ends =
+            end_motions(displacements<Lane>(elements, bonds.i + k), displacements<Lane>(elements, bonds.j + k), held,
+                        Lane::load(share_i + at));
+        const Vector2<T> D{Lane::load(Dx + at), Lane::load(Dy + at)};
+        const T l = Lane::load(length + at);
+        const T inverse_l = Lane::load(inverse_length + at);
+        decltype(l > l) large;
+        block.motions.put<Lane>(at, law::motion_by_series(D, l, inverse_l, ends.du, ends.turn, large));
+        if (any(large)) [[unlikely]] {
+            const law::BondMotion<T> turned = law::turned_motion(D, l, inverse_l, ends.du, ends.turn);
+            block.motions.put<Lane>(at, law::select_motion(large, turned, block.motions.at<Lane>(at)));
+        }
     }
-}
-
-template <class Lane>
-law::BondMotion<typename Lane::Number> measured(const MotionBlock& block, std::size_t at) {
-    return {Lane::load(block.inverse_length + at),
-            {Lane::load(block.normal_x + at), Lane::load(block.normal_y + at)},
-            Lane::load(block.stretch + at),
-            Lane::load(block.shear + at)};
 }
 
 template <class Lane, class Law, bool damped>
 Happened respond(const BondRows<Law>& bonds, const ElementRows& elements, double dt, std::size_t begin, std::size_t end,
-                 const MotionBlock& block) {
+                 BondBlock& block) {
     using T = typename Lane::Number;
     using History = typename Law::template History<T>;
+    const double* lengths = block.length.rows<Lane>(begin, end);
+    const double* shares = block.share_i.rows<Lane>(begin, end);
+    const double* radii = block.radius.rows<Lane>(begin, end);
     Happened happened;
-    for (std::size_t k = begin; k < end; k += Lane::width) {
+    for (std::size_t at = 0; at < end - begin; at += Lane::width) {
+        const std::size_t k = begin + at;
         const typename Lane::Held held(Law::breaks ? bonds.broken + k : nullptr);
         if (held.none()) continue;
-        const law::BondMotion<T> motion = measured<Lane>(block, k - begin);
-        const T s = bonds.share_i.template load<Lane>(k);
-        const T l = bonds.length.template load<Lane>(k);
-        const T radius = bonds.radius.template load<Lane>(k);
+        const law::BondMotion<T> motion = block.motions.at<Lane>(at);
+        const T s = Lane::load(shares + at);
+        const T l = Lane::load(lengths + at);
+        const T radius = Lane::load(radii + at);
         const History before = bonds.remembers ? loaded_members<Lane, History>(bonds.history, k) : History{};
         History history = before;
         law::BondForce<T> force = Law::respond(bonds.params, radius, motion, history);
@@ -253,13 +283,11 @@ template <class Lane, class Law, bool damped>
 Happened bond_forces(const BondRows<Law>& bonds, const ElementRows& elements, double dt, std::size_t begin,
                      std::size_t end) {
     Happened happened;
-    MotionBlock block;
-    while (begin < end) {
-        const std::size_t stop = begin + MotionBlock::rows < end ? begin + MotionBlock::rows : end;
-        measure<Lane>(bonds, elements, begin, stop, block);
-        happened |= respond<Lane, Law, damped>(bonds, elements, dt, begin, stop, block);
-        begin = stop;
-    }
+    BondBlock block(bonds);
+    tile_by_tile(begin, end, [&](std::size_t first, std::size_t last) {
+        measure<Lane>(bonds, elements, first, last, block);
+        happened |= respond<Lane, Law, damped>(bonds, elements, dt, first, last, block);
+    });
     return happened;
 }
 

@@ -7,6 +7,7 @@
 #include "engine/law/facet.hpp"
 #include "engine/state/pair_slots.hpp"
 #include "engine/step/bond_rows.hpp"
+#include "engine/step/tile.hpp"
 
 #include <array>
 #include <cstddef>
@@ -63,18 +64,45 @@ struct FacetParts {
     law::FacetVector<T> growth_i, growth_j;
 };
 
+/// A few rows of what does not change.
+struct FacetTiles {
+    explicit FacetTiles(const FacetRows& rows)
+        : length(rows.length), inverse_length(rows.inverse_length), share_i(rows.share_i), area(rows.area),
+          centre(rows.centre) {}
+
+    Tile length, inverse_length, share_i, area, centre;
+};
+
+/// Where some of these rows begin, the first of them row `begin`.
+struct FacetTilePlaces {
+    std::size_t begin;
+    const double *length, *inverse_length, *share_i, *area, *centre;
+};
+
 template <class Lane>
-DEMLUA_INLINE FacetParts<typename Lane::Number> parts_of(const FacetRows& rows, std::size_t k) {
+FacetTilePlaces places_of(FacetTiles& tiles, std::size_t begin, std::size_t end) {
+    return {begin,
+            tiles.length.rows<Lane>(begin, end),
+            tiles.inverse_length.rows<Lane>(begin, end),
+            tiles.share_i.rows<Lane>(begin, end),
+            tiles.area.rows<Lane>(begin, end),
+            tiles.centre.rows<Lane>(begin, end)};
+}
+
+template <class Lane>
+DEMLUA_INLINE FacetParts<typename Lane::Number> parts_of(const FacetRows& rows, const FacetTilePlaces& tiles,
+                                                         std::size_t at) {
     using T = typename Lane::Number;
+    const std::size_t k = tiles.begin + at;
     if (Lane::any_marked(rows.walled + k)) [[unlikely]] {
         return {loaded_members<Lane, law::FacetSprings<T>>(rows.springs, k),
                 loaded_members<Lane, law::FacetVector<T>>(rows.growth_i, k),
                 loaded_members<Lane, law::FacetVector<T>>(rows.growth_j, k)};
     }
-    const T area = rows.area.template load<Lane>(k);
-    const T centre = rows.centre.template load<Lane>(k);
-    const T per_length = rows.inverse_length.template load<Lane>(k);
-    const T s = rows.share_i.template load<Lane>(k);
+    const T area = Lane::load(tiles.area + at);
+    const T centre = Lane::load(tiles.centre + at);
+    const T per_length = Lane::load(tiles.inverse_length + at);
+    const T s = Lane::load(tiles.share_i + at);
     return {law::facet_springs(rows.twice_shear, area, centre, per_length),
             law::growth_of_i(area, centre, per_length, s), law::growth_of_j(area, centre, per_length, s)};
 }
@@ -92,25 +120,41 @@ template <class Lane>
 void measure_facets(const FacetRows& rows, const ElementRows& elements, std::size_t begin, std::size_t end) {
     using T = typename Lane::Number;
     using Vector = law::FacetVector<T>;
-    for (std::size_t k = begin; k < end; k += Lane::width) {
-        const typename Lane::Held held(rows.broken == nullptr ? nullptr : rows.broken + k);
-        if (held.none()) continue;
-        const Moved<T> i = displacements<Lane>(elements, rows.i + k);
-        const Moved<T> j = displacements<Lane>(elements, rows.j + k);
-        const Vector2<T> D{rows.Dx.template load<Lane>(k), rows.Dy.template load<Lane>(k)};
-        const law::BondMotion<T> motion =
-            motions(i, j, held, D, rows.length.template load<Lane>(k), rows.inverse_length.template load<Lane>(k),
-                    rows.share_i.template load<Lane>(k));
-        const Vector q = elastic_part<Lane>(rows, k, motion.stretch, motion.shear, j.turn - i.turn);
-        rows.inverse_d.template store<Lane>(k, motion.inverse_length);
-        rows.normal_x.template store<Lane>(k, motion.normal.x);
-        rows.normal_y.template store<Lane>(k, motion.normal.y);
-        rows.stretch.template store<Lane>(k, motion.stretch);
-        rows.shift.template store<Lane>(k, motion.shear);
-        const FacetParts<T> parts = parts_of<Lane>(rows, k);
-        rows.grown_i.template store<Lane>(k, held(dot(parts.growth_i, q)));
-        rows.grown_j.template store<Lane>(k, held(dot(parts.growth_j, q)));
-    }
+    FacetTiles tiles(rows);
+    Tile Dxs(rows.Dx);
+    Tile Dys(rows.Dy);
+    std::array<TargetTile, 7> targets{TargetTile(rows.inverse_d), TargetTile(rows.normal_x), TargetTile(rows.normal_y),
+                                      TargetTile(rows.stretch),   TargetTile(rows.shift),    TargetTile(rows.grown_i),
+                                      TargetTile(rows.grown_j)};
+    tile_by_tile(begin, end, [&](std::size_t first, std::size_t last) {
+        const FacetTilePlaces read = places_of<Lane>(tiles, first, last);
+        const double* Dx = Dxs.rows<Lane>(first, last);
+        const double* Dy = Dys.rows<Lane>(first, last);
+        std::array<double*, 7> to;
+        for (std::size_t m = 0; m < to.size(); ++m) to[m] = targets[m].template rows<Lane>(first, last);
+        for (std::size_t at = 0; at < last - first; at += Lane::width) {
+            const std::size_t k = first + at;
+            const typename Lane::Held held(rows.broken == nullptr ? nullptr : rows.broken + k);
+            if (held.none()) continue;
+            const Moved<T> i = displacements<Lane>(elements, rows.i + k);
+            const Moved<T> j = displacements<Lane>(elements, rows.j + k);
+            const EndMotions<T> ends = end_motions(i, j, held, Lane::load(read.share_i + at));
+            const law::BondMotion<T> motion =
+                law::bond_motion({Lane::load(Dx + at), Lane::load(Dy + at)}, Lane::load(read.length + at),
+                                 Lane::load(read.inverse_length + at), ends.du, ends.turn);
+            const Vector q = elastic_part<Lane>(rows, k, motion.stretch, motion.shear, j.turn - i.turn);
+            const FacetParts<T> parts = parts_of<Lane>(rows, read, at);
+            const std::array<T, 7> found{motion.inverse_length,
+                                         motion.normal.x,
+                                         motion.normal.y,
+                                         motion.stretch,
+                                         motion.shear,
+                                         held(dot(parts.growth_i, q)),
+                                         held(dot(parts.growth_j, q))};
+            for (std::size_t m = 0; m < to.size(); ++m) Lane::store(to[m] + at, found[m]);
+        }
+        for (TargetTile& target : targets) target.template keep<Lane>(first, last);
+    });
 }
 
 template <class Lane>
@@ -169,30 +213,45 @@ template <class Lane, bool damped>
 void facet_forces(const FacetRows& rows, const ElementRows& elements, std::size_t begin, std::size_t end) {
     using T = typename Lane::Number;
     using Vector = law::FacetVector<T>;
-    for (std::size_t k = begin; k < end; k += Lane::width) {
-        const typename Lane::Held held(rows.broken == nullptr ? nullptr : rows.broken + k);
-        if (held.none()) continue;
-        const Pressed<T> i = pressures<Lane>(rows, elements, rows.i + k);
-        const Pressed<T> j = pressures<Lane>(rows, elements, rows.j + k);
-        const Vector q = elastic_part<Lane>(rows, k, rows.stretch.template load<Lane>(k),
-                                            rows.shift.template load<Lane>(k), j.turn - i.turn);
-        const FacetParts<T> parts = parts_of<Lane>(rows, k);
-        Vector force = parts.springs * q + i.pressure * parts.growth_i + j.pressure * parts.growth_j;
-        if (rows.normal != nullptr) {
-            Lane::store(rows.normal + k, held(force.normal));
-            Lane::store(rows.shear + k, held(force.shear));
+    FacetTiles tiles(rows);
+    TargetTile inverse_ds(rows.inverse_d);
+    TargetTile normals_x(rows.normal_x);
+    TargetTile normals_y(rows.normal_y);
+    TargetTile stretches(rows.stretch);
+    TargetTile shifts(rows.shift);
+    tile_by_tile(begin, end, [&](std::size_t first, std::size_t last) {
+        const FacetTilePlaces read = places_of<Lane>(tiles, first, last);
+        const double* inverse_d = inverse_ds.rows<Lane>(first, last);
+        const double* normal_x = normals_x.rows<Lane>(first, last);
+        const double* normal_y = normals_y.rows<Lane>(first, last);
+        const double* stretch = stretches.rows<Lane>(first, last);
+        const double* shift = shifts.rows<Lane>(first, last);
+        for (std::size_t at = 0; at < last - first; at += Lane::width) {
+            const std::size_t k = first + at;
+            const typename Lane::Held held(rows.broken == nullptr ? nullptr : rows.broken + k);
+            if (held.none()) continue;
+            const Pressed<T> i = pressures<Lane>(rows, elements, rows.i + k);
+            const Pressed<T> j = pressures<Lane>(rows, elements, rows.j + k);
+            const Vector q =
+                elastic_part<Lane>(rows, k, Lane::load(stretch + at), Lane::load(shift + at), j.turn - i.turn);
+            const FacetParts<T> parts = parts_of<Lane>(rows, read, at);
+            Vector force = parts.springs * q + i.pressure * parts.growth_i + j.pressure * parts.growth_j;
+            if (rows.normal != nullptr) {
+                Lane::store(rows.normal + k, held(force.normal));
+                Lane::store(rows.shear + k, held(force.shear));
+            }
+            if constexpr (damped) {
+                force.normal += Lane::load(rows.dashpot_normal + k);
+                force.shear += Lane::load(rows.dashpot_shear + k);
+            }
+            const T s = Lane::load(read.share_i + at);
+            const T couple = held(force.shear * Lane::load(read.length + at));
+            const T bending = held(force.turn);
+            const Vector2<T> n{Lane::load(normal_x + at), Lane::load(normal_y + at)};
+            put_force<Lane>(rows, k, n, Lane::load(inverse_d + at), held(force.normal), couple, couple * s + bending,
+                            couple * (1.0 - s) - bending);
         }
-        if constexpr (damped) {
-            force.normal += Lane::load(rows.dashpot_normal + k);
-            force.shear += Lane::load(rows.dashpot_shear + k);
-        }
-        const T s = rows.share_i.template load<Lane>(k);
-        const T couple = held(force.shear * rows.length.template load<Lane>(k));
-        const T bending = held(force.turn);
-        const Vector2<T> n{rows.normal_x.template load<Lane>(k), rows.normal_y.template load<Lane>(k)};
-        put_force<Lane>(rows, k, n, rows.inverse_d.template load<Lane>(k), held(force.normal), couple,
-                        couple * s + bending, couple * (1.0 - s) - bending);
-    }
+    });
 }
 
 /// Marks the rows that may yield or break under the forces of this instant, so that they are looked at one by one; returns

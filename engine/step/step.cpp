@@ -50,7 +50,7 @@ void follow_rates(const state::State& state, Stepper& stepper, Bonds& bonds) {
 template <class Law>
 void compute_bonds(state::State& state, Stepper& stepper, state::BondSet<Law>& bonds) {
     follow_rates(state, stepper, bonds);
-    fill_quads(bonds, state.elements, *stepper.kernels, stepper.team);
+    refresh_quads(bonds, state.elements, *stepper.kernels, stepper.team);
     std::vector<Happened> shares(stepper.team.parts());
     stepper.team.share(bonds.size(), [&](Share part) {
         shares[part.part] = bond_forces(bonds, state.elements, state.dt, part, *stepper.kernels);
@@ -71,7 +71,7 @@ void compute_bonds(state::State& state, Stepper& stepper, state::FacetSet<Law>& 
     std::vector<std::vector<Failing<Law>>> failing(stepper.team.parts());
     follow_rates(state, stepper, bonds);
     const Kernels& kernels = *stepper.kernels;
-    fill_quads(bonds, state.elements, kernels, stepper.team);
+    refresh_quads(bonds, state.elements, kernels, stepper.team);
     if constexpr (Law::breaks) {
         std::swap(bonds.normal, bonds.normal_before);
         std::swap(bonds.shear, bonds.shear_before);

@@ -100,15 +100,9 @@ private:
 
     template <class Bonds>
     void count_quads(Bonds& bonds) {
-        if (bonds.moved.empty()) return;
-        const std::size_t first = bonds.slots.first;
-        const auto fill = [&](const Column<double>& x, const Column<double>& y, const Column<double>& turn,
-                              Column<double>& quads) {
-            step::fill_quads<CountingLane>({x.data() + first, y.data() + first, turn.data() + first}, quads.data(), 0,
-                                           std::min(rows_, bonds.slots.elements));
-        };
-        fill(elements_.ux, elements_.uy, elements_.rotation, bonds.moved);
-        if (!bonds.speeds.empty()) fill(elements_.vx, elements_.vy, elements_.spin, bonds.speeds);
+        step::for_each_quads(bonds, elements_, [&](const auto& columns, double* quads) {
+            step::fill_quads<CountingLane>(columns, quads, 0, std::min(rows_, bonds.slots.elements));
+        });
     }
 
     template <class Pairs>

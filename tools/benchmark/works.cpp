@@ -42,6 +42,13 @@ model::Relaxation relaxed(double count) {
     return packing;
 }
 
+/// As the penetration bonds its beam.
+template <class Bonds>
+Bonds touching(Bonds bonds) {
+    bonds.network = model::Network::contacts;
+    return bonds;
+}
+
 template <class Bonds>
 model::BondChoice damped(Bonds bonds, double fraction) {
     bonds.damping = fraction;
@@ -138,6 +145,11 @@ const std::vector<std::pair<std::string, Maker>>& makers() {
         {"central_12k", [] { return central(12e3); }},
         {"damped_12k",
          [] { return beam("plateau and dashpots", close_packed(12e3), damped(model::PlateauBonds{}, 0.02)); }},
+        {"contacts_12k",
+         [] {
+             return beam("irregular pack, bonds between what touches, plateau and dashpots", relaxed(12e3),
+                         damped(touching(model::PlateauBonds{}), 0.02));
+         }},
         {"facets_12k",
          [] {
              return beam("irregular pack, facets and cell pressures, plateau", relaxed(12e3), model::PlateauBonds{});
