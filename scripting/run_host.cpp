@@ -110,6 +110,7 @@ RunHost::~RunHost() { terminal_.detach(); }
 observe::RunReport RunHost::run(const model::Scene& scene, const RunRequest& request) {
     if (started() && interrupted_) return {observe::Ending::interrupted, {}, 0, 0.0};
     begin_run(scene, request);
+    const std::size_t told = simulation_->notes().size();
     {
         const EffortMeter meter(effort_, *simulation_);
         Progress progress(terminal_, *simulation_, request.duration);
@@ -122,7 +123,10 @@ observe::RunReport RunHost::run(const model::Scene& scene, const RunRequest& req
     // The end of a run is always shown, also one that came early.
     take_row(request.histories);
     take_frame();
-    if (request.rest) terminal_.say(simulation_->notes().back());
+    const std::vector<std::string> notes = simulation_->notes();
+    for (std::size_t k = told; k < notes.size(); ++k) {
+        if (request.rest || notes[k].starts_with("warning")) terminal_.say(notes[k]);
+    }
     return last_report_;
 }
 

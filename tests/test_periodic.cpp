@@ -4,7 +4,6 @@
 #include "tests/grain_scenes.hpp"
 
 #include <cmath>
-#include <fmt/format.h>
 #include <string>
 
 using namespace demlua;
@@ -82,27 +81,37 @@ TEST_CASE("a periodic box too small for its elements is refused with what it tak
                       Catch::Matchers::ContainsSubstring("periodic_x") && Catch::Matchers::ContainsSubstring("0.028"));
 }
 
-TEST_CASE("bonds that a periodic box cuts are told of") {
-    // A close-packed block as wide as the box: of its rows every second one reaches both edges.
+TEST_CASE("a close packing goes on across the edges of a periodic box if the box is whole diameters wide") {
     model::Scene scene = test::scene_of(soft(0.5, 0.3));
     scene.periodic_x = Vec2{0.0, 20.0 * R};
     scene.bodies.push_back(test::block("block", {0.0, 0.0}, {20.0 * R, 8.0 * R}, R, model::ElasticBonds{}));
-    const auto told = [&] {
-        for (const std::string& note : observe::Simulation(scene, 1).notes()) {
-            if (note.find("across the edges") != std::string::npos) return note;
-        }
-        return std::string{};
-    };
     const std::size_t rows = 4; // 1 + (8 R - 2 R)/(sqrt(3) R), rounded down
-    CHECK(told().find(fmt::format("warning: block: {} pairs that touch", rows / 2)) != std::string::npos);
-    SECTION("not where nothing meets there") {
+    SECTION("no row ends") {
+        const observe::Simulation sim(scene, 1);
+        CHECK(sim.element_count() == rows * 10);
+        CHECK(sim.bond_count() == rows * 10 + (rows - 1) * 20);
+        CHECK(sim.snapshot().bond_ends.size() < sim.bond_count());
+    }
+    SECTION("a wider box leaves rows of 10 and 9 that touch nothing across the edge") {
         scene.periodic_x = Vec2{0.0, 24.0 * R};
-        CHECK(told().empty());
+        const observe::Simulation sim(scene, 1);
+        CHECK(sim.element_count() == 38);
+        CHECK(sim.bond_count() == 2 * 9 + 2 * 8 + (rows - 1) * 18);
+        CHECK(sim.snapshot().bond_ends.size() == sim.bond_count());
+    }
+    SECTION("a lattice that does not repeat is told of") {
+        scene.periodic_x = Vec2{0.0, 21.0 * R};
+        scene.bodies[0].region = model::Region::rectangle({0.0, 0.0}, {21.0 * R, 8.0 * R});
+        std::string told;
+        for (const std::string& note : observe::Simulation(scene, 1).notes()) told += note + '\n';
+        CHECK(told.find("warning: block: its close packing does not go on across the edges of the periodic box, which "
+                        "is 10.5 diameters wide") != std::string::npos);
     }
     SECTION("elements in one another across the edge are refused") {
         scene.periodic_x = Vec2{0.0, 19.5 * R};
-        CHECK_THROWS_WITH(told(), Catch::Matchers::ContainsSubstring(
-                                      "overlaps itself across the edge of the periodic box at the start, by 25 %"));
+        CHECK_THROWS_WITH(observe::Simulation(scene, 1),
+                          Catch::Matchers::ContainsSubstring(
+                              "overlaps itself across the edge of the periodic box at the start, by 25 %"));
     }
 }
 

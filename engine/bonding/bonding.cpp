@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <nanoflann.hpp>
+#include <numeric>
 
 namespace demlua::bonding {
 
@@ -60,6 +61,31 @@ std::vector<Pair> pairs_within(const std::vector<Vec2>& centre, const std::vecto
         }
         std::sort(pairs.begin() + static_cast<std::ptrdiff_t>(before), pairs.end());
     }
+    return pairs;
+}
+
+std::vector<Pair> pairs_within(const std::vector<Vec2>& centre, const std::vector<double>& radius, double search,
+                               Period period) {
+    if (!period.repeats() || centre.empty()) return pairs_within(centre, radius, search);
+    const double reach = 2.0 * *std::max_element(radius.begin(), radius.end()) * (1.0 + 0.5 * search);
+    const std::size_t n = centre.size();
+    std::vector<Vec2> places = centre;
+    std::vector<double> radii = radius;
+    std::vector<std::size_t> element(n);
+    std::iota(element.begin(), element.end(), std::size_t{0});
+    for (std::size_t k = 0; k < n; ++k) {
+        places[k].x += period.shift_inside(places[k].x);
+        if (places[k].x - period.left > reach) continue;
+        places.push_back(places[k] + Vec2{period.length, 0.0});
+        radii.push_back(radius[k]);
+        element.push_back(k);
+    }
+    std::vector<Pair> pairs;
+    for (const auto& [a, b] : pairs_within(places, radii, search)) {
+        if (a < n && element[a] != element[b]) pairs.emplace_back(std::minmax(element[a], element[b]));
+    }
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     return pairs;
 }
 

@@ -19,7 +19,7 @@ struct Line {
 
 Line line_of(const packing::Facet& facet, const std::vector<Vec2>& centre, const std::vector<double>& radius) {
     const Vec2 a = centre[facet.i];
-    const Vec2 span = centre[facet.j] - a;
+    const Vec2 span = centre[facet.j] + facet.to_image - a;
     const double l = norm(span);
     const Vec2 n = span / l;
     const Vec2 t = turned_left(n);

@@ -89,7 +89,8 @@ const WordOf<Outline>& outline() {
         "A rigid figure of any outline, with the mass, centre of mass and moment of inertia of its area. Elements meet "
         "its sides as they meet a wall's, with stiffness and damping in series with its material's; so do the corners "
         "of other outlines, and its own corners meet walls. It moves freely, under gravity and what presses on it, "
-        "until outline:move says otherwise. What is moved in every way meets elements and free outlines only. It is "
+        "until outline:move says otherwise. What is moved in every way meets elements and free outlines only; where it "
+        "comes across a wall or another such outline a warning says so, once. It is "
         "read like a wall: now.wall.NAME.",
         "an outline",
         R"(local shot = sim:outline { name = "shot", material = steel, region = dem.rectangle { size = { 0.2, 0.1 } }, velocity = { 0, -5 } })",

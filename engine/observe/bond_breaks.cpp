@@ -14,7 +14,7 @@ BondBreak break_of(const state::State& state, const Bonds& bonds, std::size_t k)
     const Index i = bonds.i[k];
     const Index j = bonds.j[k];
     const Vec2 from = state.elements.position(i);
-    return {bonds.break_time[k], from + bonds.share_i[k] * (state.elements.position(j) - from), i, j,
+    return {bonds.break_time[k], from + bonds.share_i[k] * state::span_of(bonds, state.elements, k), i, j,
             state.bodies[bonds.body].name};
 }
 

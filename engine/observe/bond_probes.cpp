@@ -21,7 +21,7 @@ std::optional<std::size_t> nearest_bond(const Bonds& bonds, const state::Element
     std::optional<std::size_t> nearest;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < bonds.size(); ++k) {
-        const Vec2 middle = 0.5 * (elements.position(bonds.i[k]) + elements.position(bonds.j[k]));
+        const Vec2 middle = elements.position(bonds.i[k]) + 0.5 * state::span_of(bonds, elements, k);
         const double distance = norm(middle - at);
         if (distance < least) {
             least = distance;

@@ -37,24 +37,36 @@ void join_cracks(const state::State& state, const state::BondSet<Law>& bonds, co
     }
 }
 
+/// `point`, or where the plane repeats its image inside, and if that lies within `reach` of the left edge the next one too.
+std::vector<Vec2> images_near_edge(Vec2 point, Period period, double reach) {
+    if (!period.repeats()) return {point};
+    point.x += period.shift_inside(point.x);
+    if (point.x - period.left > reach) return {point};
+    return {point, point + Vec2{period.length, 0.0}};
+}
+
 /// The same for those whose facets shared an end where they were bonded.
 template <class Law>
 void join_cracks(const state::State& state, const state::FacetSet<Law>& bonds, const Rows& rows, DisjointSets& joined) {
     constexpr double coincident = 1e-6; // in radii; facets shorter than 1e-9 are left out of cells
     const state::Elements& elements = state.elements;
-    const auto stood = [&](Index k) { return Vec2{elements.reference_x[k], elements.reference_y[k]}; };
     std::vector<Vec2> ends;
+    Rows row_of_end;
     double least_radius = bonds.radius[state.cracks[rows.front()].bond];
+    for (const std::size_t row : rows) least_radius = std::min(least_radius, bonds.radius[state.cracks[row].bond]);
     for (const std::size_t row : rows) {
-        const state::Crack& crack = state.cracks[row];
-        for (const Vec2 end : state::crack_across(bonds, crack.bond, stood(crack.i), stood(crack.j))) {
-            ends.push_back(end);
+        const Index k = state.cracks[row].bond;
+        const Vec2 stood{elements.reference_x[bonds.i[k]], elements.reference_y[bonds.i[k]]};
+        for (const Vec2 end : state::crack_across(bonds, k, stood, {bonds.Dx[k], bonds.Dy[k]})) {
+            for (const Vec2 image : images_near_edge(end, state.period, least_radius)) {
+                ends.push_back(image);
+                row_of_end.push_back(row);
+            }
         }
-        least_radius = std::min(least_radius, bonds.radius[crack.bond]);
     }
     CellGrid grid;
     grid.build(ends, least_radius);
-    grid.for_each_pair(coincident * least_radius, [&](Index a, Index b) { joined.join(rows[a / 2], rows[b / 2]); });
+    grid.for_each_pair(coincident * least_radius, [&](Index a, Index b) { joined.join(row_of_end[a], row_of_end[b]); });
 }
 
 /// Columns of the cracks while they are being filled.

@@ -2,7 +2,10 @@
 
 #include "engine/state/parts.hpp"
 
+#include <array>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <variant>
 #include <vector>
 
@@ -32,12 +35,30 @@ void keep(std::vector<Field>& fields, const std::vector<bool>& wanted) {
 } // namespace
 
 void bring_inside(Snapshot& snapshot, const state::State& state) {
+    const double far = 0.5 * state.period.length;
+    const auto reaches_across = [&](const std::array<Index, 2>& ends) {
+        return std::fabs(snapshot.position[ends[1]].x - snapshot.position[ends[0]].x) > far;
+    };
     const std::vector<std::int32_t> part = state::part_of_elements(state);
+    std::vector<bool> across(part.size());
+    for (const std::array<Index, 2>& ends : snapshot.bond_ends) {
+        const auto number = static_cast<std::size_t>(part[ends[0]]);
+        if (part[ends[0]] == part[ends[1]] && reaches_across(ends)) across[number] = true;
+    }
     std::vector<double> shift;
     for (std::size_t k = 0; k < part.size(); ++k) {
         const auto number = static_cast<std::size_t>(part[k]);
-        if (number == shift.size()) shift.push_back(state.period.shift_inside(snapshot.position[k].x));
-        snapshot.position[k].x += shift[number];
+        const double own = state.period.shift_inside(snapshot.position[k].x);
+        if (number == shift.size()) shift.push_back(own);
+        snapshot.position[k].x += across[number] ? own : shift[number];
+    }
+    std::vector<bool> drawn(snapshot.bond_ends.size());
+    for (std::size_t b = 0; b < drawn.size(); ++b) drawn[b] = !reaches_across(snapshot.bond_ends[b]);
+    keep(snapshot.bond_ends, 1, drawn);
+    keep(snapshot.bond_fields, drawn);
+    for (std::array<Vec2, 2>& ends : snapshot.crack_ends) {
+        const double inside = state.period.shift_inside(0.5 * (ends[0].x + ends[1].x));
+        for (Vec2& end : ends) end.x += inside;
     }
 }
 

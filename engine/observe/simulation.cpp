@@ -3,6 +3,7 @@
 #include "engine/observe/ledger.hpp"
 #include "engine/observe/simulation_inside.hpp"
 #include "engine/state/assemble.hpp"
+#include "engine/step/outline_search.hpp"
 #include "engine/step/real_moduli.hpp"
 #include "engine/step/wall_start.hpp"
 
@@ -61,10 +62,23 @@ Simulation::Simulation(const model::Scene& scene, Threads threads, const packing
     step::refresh_contacts(*state_, inside_->stepper.search);
     std::vector<Problem> problems = step::elements_across_walls(scene, *state_);
     if (!problems.empty()) throw SceneError(std::move(problems));
+    inside_->note_passing(*state_);
     prepare({});
 }
 
 Simulation::~Simulation() = default;
+
+void Simulation::Inside::note_passing(const state::State& state) {
+    for (const step::Crossing& crossing : step::passing_outlines(state)) {
+        const state::Wall& wall = state.walls[crossing.wall];
+        const state::Wall& outline = state.walls[crossing.outline];
+        if (!passing_.insert(std::minmax(crossing.wall, crossing.outline)).second) continue;
+        notes.push_back(fmt::format(
+            "warning: outline \"{}\" lies across {} \"{}\" at ({:.6g}, {:.6g}) m, t = {:.6g} s: "
+            "both move as given, so they do not touch",
+            outline.name, wall.matter ? "outline" : "wall", wall.name, crossing.place.x, crossing.place.y, state.time));
+    }
+}
 
 /// An element must not meet another on both sides at once.
 void Simulation::check_period() const {

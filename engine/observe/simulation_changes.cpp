@@ -7,6 +7,7 @@
 #include "engine/state/wall_assembly.hpp"
 #include "engine/step/loads.hpp"
 #include "engine/step/outline_search.hpp"
+#include "engine/step/wall_start.hpp"
 
 #include <fmt/format.h>
 #include <utility>
@@ -153,6 +154,8 @@ void Simulation::replace_wall(std::size_t row, const model::Wall& wall) {
 void Simulation::replace_outline(std::size_t row, const model::Outline& outline) {
     const double before = balance(ledger_of(*state_));
     state::set_motion(outline, state_->walls.at(inside_->scene.walls.size() + row));
+    std::vector<Problem> too_wide = step::outlines_meeting_images(inside_->scene, *state_);
+    if (!too_wide.empty()) throw SceneError(std::move(too_wide));
     for (const step::Crossing& crossing : step::crossing_outlines(*state_)) {
         const state::Wall& wall = state_->walls[crossing.wall];
         throw SceneError(

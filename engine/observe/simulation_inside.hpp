@@ -8,6 +8,7 @@
 #include "engine/step/time_step.hpp"
 
 #include <cstddef>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -53,6 +54,12 @@ struct Simulation::Inside {
           stepper(team, state, said.greatest_move), notes(std::move(facts)) {
         stepper.domain = said.domain;
     }
+
+    /// Notes, once for each pair, outlines that lie across what moves as given like them.
+    void note_passing(const state::State& state);
+
+private:
+    std::set<std::pair<std::size_t, std::size_t>> passing_; ///< pairs of State::walls that have been noted
 };
 
 } // namespace demlua::observe

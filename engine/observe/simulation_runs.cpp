@@ -86,11 +86,15 @@ RunReport Simulation::run(double duration, const std::vector<Watcher>& watchers,
     start_once();
     const auto step = [this, until_rest](double /*until*/) {
         step::advance(*state_, inside_->stepper);
-        if (state_->step % energy_checked_every == 0) check_energy();
+        if (state_->step % energy_checked_every == 0) {
+            check_energy();
+            inside_->note_passing(*state_);
+        }
         if (until_rest && state_->step % rest_checked_every == 0 && at_rest(*state_, rest_share)) stop("at rest");
         return true;
     };
     RunReport report = run_until(state_->time + duration, watchers, interrupted, step);
+    inside_->note_passing(*state_);
     report.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return report;
 }

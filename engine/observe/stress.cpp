@@ -7,27 +7,26 @@ namespace demlua::observe {
 
 namespace {
 
-template <class Pairs>
-void add_pairs(const Pairs& pairs, const state::Elements& elements, Period period,
+/// `span(k)` leads from the centre of i to that of j of pair k, m.
+template <class Pairs, class Span>
+void add_pairs(const Pairs& pairs, const state::Elements& elements, const Span& span,
                std::vector<step::PlaneStress>& stress) {
     for (std::size_t k = 0; k < pairs.size(); ++k) {
         const std::size_t i = pairs.i[k];
         const std::size_t j = pairs.j[k];
-        Vec2 span = elements.position(j) - elements.position(i);
-        if (period.repeats()) span = period.shortest(span);
         const double share = elements.radius[i] / (elements.radius[i] + elements.radius[j]);
         const Vec2 f = pairs.forces.at(k).f;
-        stress[i].add(f, share * span);
-        stress[j].add(-f, (share - 1.0) * span);
+        stress[i].add(f, share * span(k));
+        stress[j].add(-f, (share - 1.0) * span(k));
     }
 }
 
 /// A facet's force acts at its middle.
-template <class Law>
-void add_pairs(const state::FacetSet<Law>& bonds, const state::Elements& elements, Period /*period*/,
+template <class Law, class Span>
+void add_pairs(const state::FacetSet<Law>& bonds, const state::Elements& /*elements*/, const Span& span_of,
                std::vector<step::PlaneStress>& stress) {
     for (std::size_t k = 0; k < bonds.size(); ++k) {
-        const Vec2 span = elements.position(bonds.j[k]) - elements.position(bonds.i[k]);
+        const Vec2 span = span_of(k);
         const double length = norm(span);
         const step::FacetArms arms = step::facet_arms(bonds, k, span / length, length);
         const Vec2 f = bonds.forces.at(k).f;
@@ -42,9 +41,16 @@ std::vector<double> stress_of_elements(const state::State& state) {
     const state::Elements& elements = state.elements;
     std::vector<step::PlaneStress> stress(elements.size());
     for (const state::AnyBondSet& any : state.bond_sets) {
-        std::visit([&](const auto& bonds) { add_pairs(bonds, elements, {}, stress); }, any);
+        std::visit(
+            [&](const auto& bonds) {
+                add_pairs(
+                    bonds, elements, [&](std::size_t k) { return state::span_of(bonds, elements, k); }, stress);
+            },
+            any);
     }
-    add_pairs(state.contacts, elements, state.period, stress);
+    const state::Contacts& contacts = state.contacts;
+    add_pairs(
+        contacts, elements, [&](std::size_t c) { return state.between(contacts.i[c], contacts.j[c]); }, stress);
     for (std::size_t c = 0; c < state.wall_contacts.size(); ++c) {
         const std::size_t e = state.wall_contacts.element[c];
         if (state.wall_contacts.overlap[c] <= 0.0) continue;

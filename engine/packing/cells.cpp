@@ -81,8 +81,13 @@ void add_facets(std::size_t i, const std::vector<Vec2>& centre, const std::vecto
         const Index j = cell.sides()[part.side].across;
         if (j == nobody || j < i) continue;
         if (norm(part.to - part.from) <= shortest * std::max(radius[i], radius[j])) continue;
-        facets.push_back(
-            {static_cast<Index>(i), j, centre[i] + part.from, centre[i] + part.to, part.outward_from, part.outward_to});
+        facets.push_back({static_cast<Index>(i),
+                          j,
+                          centre[i] + part.from,
+                          centre[i] + part.to,
+                          part.outward_from,
+                          part.outward_to,
+                          {}});
     }
     std::sort(facets.begin() + static_cast<std::ptrdiff_t>(first), facets.end(),
               [](const Facet& a, const Facet& b) { return a.j < b.j; });

@@ -19,6 +19,7 @@ struct Facet {
     Vec2 to;   ///< m
     Vec2 outward_from;
     Vec2 outward_to;
+    Vec2 to_image; ///< from j's element to that image of it whose cell it is; (0, 0) but in a plane that repeats, m
 };
 
 /// `area` (m^2) and `centroid` (m) of each element's cell, and what cells share, sorted by (i, j). Each point of the

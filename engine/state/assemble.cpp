@@ -5,6 +5,7 @@
 #include "engine/model/derived_law.hpp"
 #include "engine/packing/grains.hpp"
 #include "engine/packing/packing.hpp"
+#include "engine/packing/repeating.hpp"
 #include "engine/state/bond_assembly.hpp"
 #include "engine/state/cluster_assembly.hpp"
 #include "engine/state/edge_pairs.hpp"
@@ -13,6 +14,7 @@
 #include "engine/state/wall_assembly.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <numbers>
 #include <type_traits>
@@ -49,13 +51,12 @@ packing::Packing told_where(const model::Body& body, const Pack& pack) {
     }
 }
 
-packing::Packing packed(const model::Body& body, const packing::PackStore* packs) {
+packing::Packing packed(const model::Body& body, Period period, const packing::PackStore* packs) {
     return std::visit(
         [&](const auto& choice) -> packing::Packing {
             using Choice = std::decay_t<decltype(choice)>;
             if constexpr (std::is_same_v<Choice, model::ClosePacking>) {
-                return porous(packing::close_packed(body.region, choice.radius, choice.rows, choice.fit, choice.origin),
-                              choice);
+                return porous(packing::close_packed_across(body.region, choice, period), choice);
             } else if constexpr (std::is_same_v<Choice, model::Consolidation>) {
                 return porous(packing::kept(packs, body.region, choice, packing::consolidated), choice);
             } else if constexpr (std::is_same_v<Choice, model::GrainPacking>) {
@@ -72,16 +73,24 @@ packing::Packing packed(const model::Body& body, const packing::PackStore* packs
 }
 
 /// The cells of a body whose network needs them. What the elements weigh then follows from their cells.
-std::optional<packing::Cells> shared_out(const model::Body& body, packing::Packing& pack) {
+std::optional<packing::Cells> shared_out(const model::Body& body, Period period, packing::Packing& pack) {
     const std::optional<model::Network> network = model::network_of(body);
     if (pack.centre.empty() || (network != model::Network::facets && network != model::Network::delaunay)) return {};
-    packing::Cells cells = packing::cells_of(pack.centre, pack.radius, body.region);
+    packing::Cells cells = packing::cells_across(pack.centre, pack.radius, body.region, period);
     for (std::size_t k = 0; k < pack.centre.size(); ++k) {
         if (cells.area[k] > 0.0) continue;
         throw SceneError(Problem{body.place, "body.packing", '"' + body.name + '"',
                                  fmt::format("element {} at ({:.6g}, {:.6g}) m has no cell of its own", k,
                                              pack.centre[k].x, pack.centre[k].y),
                                  "is it hidden by larger ones, or outside the region?"});
+    }
+    for (const packing::Facet& facet : cells.facets) {
+        const double apart = pack.centre[facet.j].x + facet.to_image.x - pack.centre[facet.i].x;
+        if (!period.repeats() || std::fabs(apart) < 0.5 * period.length) continue;
+        throw SceneError(Problem{
+            body.place, "body.packing", '"' + body.name + '"',
+            fmt::format("the cells of elements {} and {} meet half a periodic box apart or more", facet.i, facet.j),
+            "make the box wider or the elements smaller"});
     }
     pack.cell_area = cells.area;
     return cells;
@@ -234,23 +243,15 @@ void look_at_window(const model::Scene& scene, const model::Body& said, const St
         said.bonds);
 }
 
-/// Bonds end at the edges of a box that repeats; what would have gone on there is told of.
-void look_at_edge(const model::Body& said, const State& state, std::size_t row, std::vector<std::string>& notes) {
-    const double search = std::visit(
-        [](const auto& choice) {
-            if constexpr (std::is_same_v<std::decay_t<decltype(choice)>, model::NoBonds>) {
-                return 0.0;
-            } else {
-                return choice.search;
-            }
-        },
-        said.bonds);
-    const std::size_t pairs = pairs_across_edge(state, state.bodies[row], search);
-    if (pairs == 0) return;
-    notes.push_back(fmt::format(
-        "warning: {}: {} {} across the edges of the periodic box {} not bonded: bonds are laid as "
-        "elements stand; across the edges these meet by contact only",
-        said.name, pairs, pairs == 1 ? "pair that touches" : "pairs that touch", pairs == 1 ? "is" : "are"));
+/// A lattice that is another one period on leaves a seam at the edge.
+void look_at_edge(const model::Body& said, Period period, std::vector<std::string>& notes) {
+    const auto* lattice = std::get_if<model::ClosePacking>(&said.packing);
+    if (lattice == nullptr || !packing::goes_on(said.region, period)) return;
+    if (packing::lattice_repeats(*lattice, period)) return;
+    notes.push_back(fmt::format("warning: {}: its close packing does not go on across the edges of the periodic box, "
+                                "which is {:.6g} diameters wide and would have to be a whole number of {}",
+                                said.name, 0.5 * period.length / lattice->radius,
+                                lattice->rows == packing::Rows::horizontal ? "them" : "sqrt(3) diameters"));
 }
 
 } // namespace
@@ -269,8 +270,8 @@ Assembly assemble(const model::Scene& scene, const packing::PackStore* packs) {
     Index clusters = 0;
     for (std::size_t row = 0; row < scene.bodies.size(); ++row) {
         const model::Body& said = scene.bodies[row];
-        packing::Packing pack = told_where(said, [&] { return packed(said, packs); });
-        cells.push_back(shared_out(said, pack));
+        packing::Packing pack = told_where(said, [&] { return packed(said, state.period, packs); });
+        cells.push_back(shared_out(said, state.period, pack));
         if (pack.centre.empty()) {
             problems.push_back({said.place, "body.region", '"' + said.name + '"', "is too small for one element",
                                 "make the region larger or the elements smaller"});
@@ -300,8 +301,8 @@ Assembly assemble(const model::Scene& scene, const packing::PackStore* packs) {
         if (bonds) {
             look_at_sizes(scene, said, *network, *bonds, problems, assembly.notes);
             look_at_window(scene, said, state, row, problems);
-            look_at_edge(said, state, row, assembly.notes);
         }
+        look_at_edge(said, state.period, assembly.notes);
         assembly.notes.push_back(describe(state, row, network, bonds ? &*bonds : nullptr));
         if (bonds) state.bond_sets.push_back(std::move(*bonds));
     }

@@ -71,7 +71,7 @@ void lay_out(BondTable<Law>& bonds, const State& state, const std::vector<bondin
     for (const auto& [a, b] : pairs) {
         const std::size_t i = body.first + a;
         const std::size_t j = body.first + b;
-        const Vec2 D = elements.position(j) - elements.position(i);
+        const Vec2 D = state.between(i, j);
         bonds.i.push_back(static_cast<Index>(i));
         bonds.j.push_back(static_cast<Index>(j));
         bonds.Dx.push_back(D.x);
@@ -211,9 +211,10 @@ AnyBondSet bonds_of(const State& state, const BondedBody& said, const Choice& ch
         throw std::logic_error("this bond law is for facets alone");
     } else {
         const Disks disks = disks_of(state, state.bodies[said.body]);
-        std::vector<bonding::Pair> pairs = said.network == model::Network::delaunay
-                                               ? neighbours(*said.cells)
-                                               : bonding::pairs_within(disks.centre, disks.radius, choice.search);
+        std::vector<bonding::Pair> pairs =
+            said.network == model::Network::delaunay
+                ? neighbours(*said.cells)
+                : bonding::pairs_within(disks.centre, disks.radius, choice.search, state.period);
         if (state.bodies[said.body].in_clusters) keep_within_clusters(state, state.bodies[said.body], pairs);
         return pairs_of<Law>(state, said, choice.damping, ordered_in_runs(pairs, pairs, disks), law.params);
     }
@@ -280,15 +281,15 @@ std::size_t cut(State& state, std::size_t body, Vec2 from, Vec2 to) {
                 if constexpr (Law::breaks) {
                     for (std::size_t k = 0; k < bonds.size(); ++k) {
                         const Vec2 a = state.elements.position(bonds.i[k]);
-                        const Vec2 b = state.elements.position(bonds.j[k]);
-                        if (bonds.broken[k] != 0 || !bonding::cut_crosses(from, to, a, b)) continue;
+                        const Vec2 span = span_of(bonds, state.elements, k);
+                        if (bonds.broken[k] != 0 || !bonding::cut_crosses(from, to, a, a + span)) continue;
                         const double touch = state.elements.radius[bonds.i[k]] + state.elements.radius[bonds.j[k]];
                         Crack crack = crack_of(bonds, state.elements, k, state.time, state.step);
                         crack.mode = CrackMode::notch;
                         state.cracks.push_back(crack);
                         free_wall(bonds, k);
                         leave_cells(bonds, k);
-                        bonds.note_break(k, std::numeric_limits<double>::infinity(), std::min(norm(b - a), touch));
+                        bonds.note_break(k, std::numeric_limits<double>::infinity(), std::min(norm(span), touch));
                         ++count;
                     }
                 }

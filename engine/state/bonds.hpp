@@ -6,6 +6,7 @@
 #include "engine/law/facet.hpp"
 #include "engine/law/laws.hpp"
 #include "engine/state/bands.hpp"
+#include "engine/state/elements.hpp"
 #include "engine/state/history.hpp"
 #include "engine/state/lane_sums.hpp"
 #include "engine/state/pair_forces.hpp"
@@ -94,6 +95,13 @@ struct BondTable {
         return false;
     }
 };
+
+/// From i to j of bond k now, m; across the edge of a plane that repeats too.
+template <class Law>
+Vec2 span_of(const BondTable<Law>& bonds, const Elements& elements, std::size_t k) {
+    const Vec2 moved = elements.displacement(bonds.j[k]) - elements.displacement(bonds.i[k]);
+    return Vec2{bonds.Dx[k], bonds.Dy[k]} + moved;
+}
 
 /// Bonds between pairs of elements, alike but for their radii.
 template <class Law>

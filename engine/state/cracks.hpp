@@ -43,12 +43,11 @@ law::FacetPart crack_part(const FacetSet<Law>& bonds, std::size_t k) {
     return {bonds.area[k], bonds.centre[k]};
 }
 
-/// The ends (m) of the crack that bond k makes, square to the line from `at_i` to `at_j` where the shares of both elements
-/// meet; the second end lies towards t.
+/// The ends (m) of the crack that bond k makes, square to the line that leads from `at_i` along `span` to the other element, where
+/// the shares of both meet; the second end lies towards t.
 template <class Bonds>
-std::array<Vec2, 2> crack_across(const Bonds& bonds, std::size_t k, Vec2 at_i, Vec2 at_j) {
+std::array<Vec2, 2> crack_across(const Bonds& bonds, std::size_t k, Vec2 at_i, Vec2 span) {
     const law::FacetPart part = crack_part(bonds, k);
-    const Vec2 span = at_j - at_i;
     const Vec2 t = turned_left(span) / norm(span);
     const Vec2 foot = at_i + bonds.share_i[k] * span;
     return {foot + (part.centre - 0.5 * part.area) * t, foot + (part.centre + 0.5 * part.area) * t};
@@ -64,7 +63,7 @@ Crack crack_of(const Bonds& bonds, const Elements& elements, std::size_t k, doub
     crack.bond = static_cast<Index>(k);
     crack.i = i;
     crack.j = j;
-    crack.ends = crack_across(bonds, k, elements.position(i), elements.position(j));
+    crack.ends = crack_across(bonds, k, elements.position(i), span_of(bonds, elements, k));
     crack.time = time;
     crack.step = step;
     return crack;

@@ -140,11 +140,12 @@ struct State {
     [[nodiscard]] double overlap(std::size_t c) const {
         return contacts.reference[c] - distance(contacts.i[c], contacts.j[c]);
     }
-    /// Of the centres of two elements, or of their nearest images, m.
-    [[nodiscard]] double distance(std::size_t i, std::size_t j) const {
-        const Vec2 between = elements.position(j) - elements.position(i);
-        return norm(period.repeats() ? period.shortest(between) : between);
+    /// From the centre of element i to that of the nearest image of element j, m.
+    [[nodiscard]] Vec2 between(std::size_t i, std::size_t j) const {
+        const Vec2 apart = elements.position(j) - elements.position(i);
+        return period.repeats() ? period.shortest(apart) : apart;
     }
+    [[nodiscard]] double distance(std::size_t i, std::size_t j) const { return norm(between(i, j)); }
     [[nodiscard]] bool is_gone(std::size_t k) const { return !gone.empty() && gone[k] != 0; }
     /// Mass that moves with element `k` when it is pushed, kg.
     [[nodiscard]] double pushed_mass(std::size_t k) const {

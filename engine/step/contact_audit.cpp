@@ -31,8 +31,7 @@ Pair pair_of(const state::State& state, std::size_t c) {
     const state::Elements& elements = state.elements;
     const std::size_t i = contacts.i[c];
     const std::size_t j = contacts.j[c];
-    const Vec2 between = elements.position(j) - elements.position(i);
-    const Vec2 span = state.period.repeats() ? state.period.shortest(between) : between;
+    const Vec2 span = state.between(i, j);
     Pair pair;
     pair.distance = norm(span);
     pair.normal = span / pair.distance;

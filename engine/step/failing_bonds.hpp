@@ -125,9 +125,7 @@ public:
     }
     [[nodiscard]] Vec2 place(std::size_t k) const override {
         const std::size_t i = bonds_.i[k];
-        const std::size_t j = bonds_.j[k];
-        return {0.5 * (elements_.reference_x[i] + elements_.reference_x[j]),
-                0.5 * (elements_.reference_y[i] + elements_.reference_y[j])};
+        return {elements_.reference_x[i] + 0.5 * bonds_.Dx[k], elements_.reference_y[i] + 0.5 * bonds_.Dy[k]};
     }
 
     [[nodiscard]] std::vector<std::size_t> offset_before() const override {

@@ -11,15 +11,23 @@ namespace demlua::step {
 
 namespace {
 
-/// Calls `work(wall, outline)` for every outline and every wall or other outline that it may meet.
+/// Calls `work(wall, outline, free)` for every outline and every wall or other outline; `free`: whether one of them moves freely.
 template <class Work>
 void for_each_pair_of_walls(const state::State& state, const Work& work) {
     for (std::size_t w = 0; w < state.walls.size(); ++w) {
         for (std::size_t o = 0; o < state.walls.size(); ++o) {
             if (o == w || !state.walls[o].matter) continue;
-            if (state.walls[w].moves_freely() || state.walls[o].moves_freely()) work(w, o);
+            work(w, o, state.walls[w].moves_freely() || state.walls[o].moves_freely());
         }
     }
+}
+
+/// The same for those that may meet.
+template <class Work>
+void for_each_meeting(const state::State& state, const Work& work) {
+    for_each_pair_of_walls(state, [&](std::size_t w, std::size_t o, bool free) {
+        if (free) work(w, o);
+    });
 }
 
 /// Whether their farthest points are nearer to each other than `skin`.
@@ -58,7 +66,7 @@ std::vector<std::size_t> parts_near(const state::State& state, const state::Wall
 
 std::vector<state::OutlineContact> candidates(const state::State& state, double skin) {
     std::vector<state::OutlineContact> found;
-    for_each_pair_of_walls(state, [&](std::size_t w, std::size_t o) {
+    for_each_meeting(state, [&](std::size_t w, std::size_t o) {
         const state::Wall& wall = state.walls[w];
         const state::Wall& outline = state.walls[o];
         if (!in_reach(state, wall, outline, skin)) return;
@@ -80,7 +88,7 @@ std::vector<state::OutlineContact> candidates(const state::State& state, double 
 
 double smallest_corner(const state::State& state) {
     double smallest = std::numeric_limits<double>::infinity();
-    for_each_pair_of_walls(state, [&](std::size_t /*w*/, std::size_t o) {
+    for_each_meeting(state, [&](std::size_t /*w*/, std::size_t o) {
         for (const state::Corner& corner : state.walls[o].matter->corners) {
             if (corner.meets) smallest = std::min(smallest, corner.radius);
         }
@@ -98,13 +106,8 @@ std::optional<Vec2> crossing_of(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
     return a + along * (b - a);
 }
 
-/// The middles of an outline's corners, as seen from `wall`.
-std::vector<Vec2> middles(const state::State& state, const state::Wall& outline, const state::Wall& wall) {
-    Vec2 shift;
-    if (state.period.repeats()) {
-        const Vec2 between = outline.centre_now() - wall.centre_now();
-        shift = state.period.shortest(between) - between;
-    }
+/// The middles of an outline's corners, moved by `shift`.
+std::vector<Vec2> middles(const state::Wall& outline, Vec2 shift) {
     std::vector<Vec2> places;
     for (const state::Corner& corner : outline.matter->corners) {
         places.push_back(outline.place_of(corner.centre) + shift);
@@ -112,8 +115,7 @@ std::vector<Vec2> middles(const state::State& state, const state::Wall& outline,
     return places;
 }
 
-std::optional<Vec2> crossing_of(const state::State& state, const state::Wall& wall, const state::Wall& outline) {
-    const std::vector<Vec2> ring = middles(state, outline, wall);
+std::optional<Vec2> crossing_of(const state::Wall& wall, const std::vector<Vec2>& ring) {
     for (std::size_t k = 0; k < ring.size(); ++k) {
         for (std::size_t segment = 0; segment < wall.segments(); ++segment) {
             const auto found =
@@ -123,6 +125,24 @@ std::optional<Vec2> crossing_of(const state::State& state, const state::Wall& wa
     }
     if (wall.matter && is_inside(wall, ring.front())) return ring.front();
     return std::nullopt;
+}
+
+/// Of an outline, or any image of it, with a wall.
+std::optional<Vec2> crossing_of(const state::State& state, const state::Wall& wall, const state::Wall& outline) {
+    if (!in_reach(state, wall, outline, 0.0)) return std::nullopt;
+    for (const Vec2 shift : shifts_to_images(wall.centre_now() - outline.centre_now(), state.period)) {
+        if (const auto found = crossing_of(wall, middles(outline, shift))) return found;
+    }
+    return std::nullopt;
+}
+
+std::vector<Crossing> crossings(const state::State& state, bool of_free) {
+    std::vector<Crossing> found;
+    for_each_pair_of_walls(state, [&](std::size_t w, std::size_t o, bool free) {
+        if (free != of_free) return;
+        if (const auto place = crossing_of(state, state.walls[w], state.walls[o])) found.push_back({w, o, *place});
+    });
+    return found;
 }
 
 } // namespace
@@ -146,13 +166,7 @@ void refresh_outline_contacts(state::State& state, double skin) {
     }
 }
 
-std::vector<Crossing> crossing_outlines(const state::State& state) {
-    std::vector<Crossing> found;
-    for_each_pair_of_walls(state, [&](std::size_t w, std::size_t o) {
-        if (!in_reach(state, state.walls[w], state.walls[o], 0.0)) return;
-        if (const auto place = crossing_of(state, state.walls[w], state.walls[o])) found.push_back({w, o, *place});
-    });
-    return found;
-}
+std::vector<Crossing> crossing_outlines(const state::State& state) { return crossings(state, true); }
+std::vector<Crossing> passing_outlines(const state::State& state) { return crossings(state, false); }
 
 } // namespace demlua::step

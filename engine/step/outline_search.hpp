@@ -22,4 +22,7 @@ struct Crossing {
 /// All such pairs of which one moves freely. An outline counts without its corners, so that what presses does not cross.
 std::vector<Crossing> crossing_outlines(const state::State& state);
 
+/// All such pairs of which none does: their motion is given, so they carry no contact and pass through each other.
+std::vector<Crossing> passing_outlines(const state::State& state);
+
 } // namespace demlua::step

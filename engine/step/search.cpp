@@ -43,7 +43,8 @@ BondedPair look_up(const state::State& state, const Search& search, std::size_t 
             BondedPair pair;
             state::for_each_pair_from(bonds.slots, i, [&](std::size_t bond) {
                 if (bonds.j[bond] != j) return;
-                pair.intact = !bonds.is_broken(bond);
+                // What is marked to break holds until the bonds of this step are computed, and then leaves its contact.
+                pair.intact = !bonds.is_broken(bond) || bonds.broken[bond] == state::failing;
                 if (!pair.intact) pair.reference = bonds.contact_length[bond];
             });
             return pair;

@@ -24,6 +24,13 @@ Vec2 seen_from(const state::Wall& wall, std::size_t part, Vec2 centre, Period pe
     return middle + period.shortest(centre - middle);
 }
 
+std::vector<Vec2> shifts_to_images(Vec2 between, Period period) {
+    if (!period.repeats()) return {Vec2{}};
+    const Vec2 nearest = between - period.shortest(between);
+    const Vec2 next{period.length, 0.0};
+    return {nearest, nearest - next, nearest + next};
+}
+
 WallGap wall_gap(const state::Wall& wall, std::size_t part, Vec2 centre) {
     const std::size_t k = part / 2;
     const Vec2 a = wall.points[k];

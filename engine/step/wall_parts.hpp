@@ -6,6 +6,7 @@
 #include "engine/state/walls.hpp"
 
 #include <cstddef>
+#include <vector>
 
 namespace demlua::step {
 
@@ -19,6 +20,10 @@ struct WallGap {
 /// Where an element at `centre` stands as this part of the wall sees it: in a plane that repeats, the image nearest to the
 /// part's middle, m.
 Vec2 seen_from(const state::Wall& wall, std::size_t part, Vec2 centre, Period period);
+
+/// By what to move a place so that it lies near another, `between` away from it: to its nearest image and, where the plane
+/// repeats, to those on both sides of that, m.
+std::vector<Vec2> shifts_to_images(Vec2 between, Period period);
 
 /// `part` as in WallContacts; `centre` in m, as seen from the part.
 WallGap wall_gap(const state::Wall& wall, std::size_t part, Vec2 centre);

@@ -38,6 +38,30 @@ Deepest overlaps(const state::State& state) {
     return deepest;
 }
 
+/// Whether an outline has the place, or an image of it, in it.
+bool holds(const state::State& state, const state::Wall& outline, Vec2 place) {
+    for (const Vec2 shift : shifts_to_images(outline.centre_now() - place, state.period)) {
+        if (is_inside(outline, place + shift)) return true;
+    }
+    return false;
+}
+
+bool turns(const state::Wall& outline) {
+    if (!outline.turning) return true;
+    const std::vector<double>& values = outline.turning->values;
+    return std::any_of(values.begin(), values.end(), [](double value) { return value != 0.0; });
+}
+
+/// How far an outline may reach along x, however it turns if it does, m.
+double greatest_width(const state::Wall& outline) {
+    const bool all_round = turns(outline);
+    double width = 0.0;
+    for (const Vec2 a : outline.points) {
+        for (const Vec2 b : outline.points) width = std::max(width, all_round ? norm(b - a) : b.x - a.x);
+    }
+    return width;
+}
+
 /// The same by wall and outline, of the outline's corners.
 Deepest deepest_corners(const state::State& state) {
     Deepest deepest;
@@ -54,8 +78,29 @@ Deepest deepest_corners(const state::State& state) {
 
 } // namespace
 
-std::vector<Problem> elements_across_walls(const model::Scene& scene, const state::State& state) {
+std::vector<Problem> outlines_meeting_images(const model::Scene& scene, const state::State& state) {
+    constexpr double rounding = 1e-9;
     std::vector<Problem> problems;
+    if (!state.period.repeats()) return problems;
+    for (std::size_t w = 0; w < state.walls.size(); ++w) {
+        const state::Wall& outline = state.walls[w];
+        if (!outline.matter) continue;
+        const double width = greatest_width(outline);
+        if (width <= (1.0 + rounding) * state.period.length) continue;
+        problems.push_back({place_of(scene, w), "outline.path", '"' + outline.name + '"',
+                            fmt::format("is {:.6g} m across{} and would meet its own image in a box that repeats every "
+                                        "{:.6g} m",
+                                        width, turns(outline) ? " where it is longest" : "", state.period.length),
+                            turns(outline)
+                                ? "make it smaller or the box wider, or keep it from turning: outline:move { spin = 0 }"
+                                : "make it smaller or the box wider"});
+    }
+    return problems;
+}
+
+std::vector<Problem> elements_across_walls(const model::Scene& scene, const state::State& state) {
+    std::vector<Problem> problems = outlines_meeting_images(scene, state);
+    if (!problems.empty()) return problems;
     const auto add = [&](std::size_t wall, std::size_t body, const std::string& rule) {
         problems.push_back({place_of(scene, wall), state.walls[wall].matter ? "outline.path" : "wall.path",
                             '"' + state.walls[wall].name + '"', rule + " at the start",
@@ -88,7 +133,7 @@ std::vector<Problem> elements_across_walls(const model::Scene& scene, const stat
     for (std::size_t w = 0; w < state.walls.size(); ++w) {
         if (!state.walls[w].matter) continue;
         for (std::size_t e = 0; e < state.elements.size(); ++e) {
-            if (!is_inside(state.walls[w], state.elements.position(e))) continue;
+            if (!holds(state, state.walls[w], state.elements.position(e))) continue;
             add(w, state.elements.body[e],
                 fmt::format("holds an element of body \"{}\"", state.bodies[state.elements.body[e]].name));
             break;

@@ -64,7 +64,7 @@ std::vector<NewContact> part_from_mates(state::State& state, const std::vector<I
         const Index i = std::min(mate, static_cast<Index>(k));
         const Index j = std::max(mate, static_cast<Index>(k));
         const double touch = elements.radius[i] + elements.radius[j];
-        const double distance = norm(elements.position(j) - elements.position(i));
+        const double distance = state.distance(i, j);
         const double reference = std::min(touch, distance);
         if (distance < touch) state.former_mates.push_back({i, j, reference});
         contacts.push_back({i, j, reference, {}});
