@@ -110,7 +110,7 @@ TEST_CASE("a block that spins a hundred turns at 0.8 of the limit keeps energy a
     state.dt = 0.8 * step::sharp_step(state);
     const int steps_a_turn = 4000;
     const double angle = 2.0 * std::numbers::pi / steps_a_turn;
-    step::refresh_contacts(state, stepper.search);
+    step::refresh_contacts(state, stepper.search, stepper.team);
     stretch_for_spinning(state, stepper, angle);
     const Vec2 centre = centre_of_mass(state);
     state::Elements& elements = state.elements;

@@ -43,8 +43,17 @@ public:
     /// of one `i` come in a row, the `i` in the order of `order()`; either index may be the smaller.
     template <class F>
     void for_each_pair(double reach, const F& f) const {
-        for (std::size_t row = 0; row < rows_; ++row) {
-            for (std::size_t column = 0; column < columns_; ++column) pairs_of_cell(row, column, reach, f);
+        for_each_pair_of(0, points_.size(), reach, f);
+    }
+
+    /// Those of the `i` that stand in `order()` from `begin` to `end`.
+    template <class F>
+    void for_each_pair_of(std::size_t begin, std::size_t end, double reach, const F& f) const {
+        while (begin < end) {
+            const std::size_t cell = cell_of_[order_[begin]];
+            const std::size_t stop = std::min<std::size_t>(end, first_[cell + 1]);
+            pairs_within_cell(cell, begin, stop, reach, f);
+            begin = stop;
         }
     }
 
@@ -101,17 +110,19 @@ private:
         return std::min(static_cast<std::size_t>((p.y - origin_.y) / side_), rows_ - 1);
     }
 
-    /// Pairs within a cell and with the four neighbours that come after it: right, and the three above.
+    /// Pairs of points `begin` to `end` of one cell with those after them in the cell, and with the four neighbours that come
+    /// after it: right, and the three above.
     template <class F>
-    void pairs_of_cell(std::size_t row, std::size_t column, double reach, const F& f) const {
-        const std::size_t cell = row * columns_ + column;
+    void pairs_within_cell(std::size_t cell, std::size_t begin, std::size_t end, double reach, const F& f) const {
+        const std::size_t row = cell / columns_;
+        const std::size_t column = cell % columns_;
         const std::size_t left = column == 0 ? 0 : column - 1;
         const std::size_t right = std::min(column + 1, columns_ - 1);
         const std::size_t end_of_row = first_[row * columns_ + right + 1];
         const bool last_row = row + 1 == rows_;
         const std::size_t above = last_row ? 0 : first_[(row + 1) * columns_ + left];
         const std::size_t end_above = last_row ? 0 : first_[(row + 1) * columns_ + right + 1];
-        for (std::size_t k = first_[cell]; k < first_[cell + 1]; ++k) {
+        for (std::size_t k = begin; k < end; ++k) {
             pairs_of_point(k, k + 1, end_of_row, reach, f);
             pairs_of_point(k, above, end_above, reach, f);
         }

@@ -217,7 +217,8 @@ DEMLUA_INLINE void store_records(double* to, LaneRecord<W> record) {
 /// shuffle them.
 DEMLUA_INLINE Lanes<8> joined(const double* low, const double* high) {
 #if defined(__AVX512F__)
-    return Lanes<8>(_mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(low)), _mm256_loadu_pd(high), 1));
+    const __m512d twice = _mm512_maskz_broadcast_f64x4(0xff, _mm256_loadu_pd(low));
+    return Lanes<8>(_mm512_maskz_insertf64x4(0xff, twice, _mm256_loadu_pd(high), 1));
 #else
     return Lanes<8>(__builtin_shufflevector(loaded<4>(low).v, loaded<4>(high).v, 0, 1, 2, 3, 4, 5, 6, 7));
 #endif

@@ -59,7 +59,7 @@ Simulation::Simulation(const model::Scene& scene, Threads threads, const packing
     inside_ = std::make_unique<Inside>(scene, threads, *state_, std::move(assembly.notes));
     check_period();
     take_in(scene);
-    step::refresh_contacts(*state_, inside_->stepper.search);
+    step::refresh_contacts(*state_, inside_->stepper.search, inside_->stepper.team);
     std::vector<Problem> problems = step::elements_across_walls(scene, *state_);
     if (!problems.empty()) throw SceneError(std::move(problems));
     inside_->note_passing(*state_);

@@ -61,19 +61,30 @@ struct Candidate {
     [[nodiscard]] auto key() const { return std::tie(i, j); }
 };
 
+/// What one share of the elements has found.
+struct Found {
+    std::vector<Candidate> pairs;
+    double clearance = std::numeric_limits<double>::infinity(); ///< least gap, m
+};
+
 /// By i, then by j.
-std::vector<Candidate> in_order(const std::vector<Candidate>& found, std::size_t elements) {
+std::vector<Candidate> in_order(const std::vector<Found>& shares, std::size_t elements, Team& team) {
     Column<Index> next(elements + 1, 0);
-    for (const Candidate& pair : found) ++next[pair.i + 1];
-    std::partial_sum(next.begin(), next.end(), next.begin());
-    std::vector<Candidate> ordered(found.size());
-    for (const Candidate& pair : found) ordered[next[pair.i]++] = pair;
-    std::size_t begin = 0;
-    for (std::size_t i = 0; i < elements; ++i) {
-        const auto at = [&](std::size_t row) { return ordered.begin() + static_cast<std::ptrdiff_t>(row); };
-        std::sort(at(begin), at(next[i]), [](const auto& a, const auto& b) { return a.j < b.j; });
-        begin = next[i];
+    for (const Found& share : shares) {
+        for (const Candidate& pair : share.pairs) ++next[pair.i + 1];
     }
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    std::vector<Candidate> ordered(next[elements]);
+    for (const Found& share : shares) {
+        for (const Candidate& pair : share.pairs) ordered[next[pair.i]++] = pair;
+    }
+    const auto at = [&](std::size_t row) { return ordered.begin() + static_cast<std::ptrdiff_t>(row); };
+    team.share(elements, [&](Share part) {
+        for (std::size_t i = part.begin; i < part.end; ++i) {
+            std::sort(at(i == 0 ? 0 : next[i - 1]), at(next[i]),
+                      [](const auto& a, const auto& b) { return a.j < b.j; });
+        }
+    });
     return ordered;
 }
 
@@ -87,16 +98,12 @@ double touch_of(const state::State& state, Index i, Index j) {
     return mates ? found->reference : touch;
 }
 
-std::vector<Candidate> candidates(const state::State& state, Search& search) {
+/// The pairs of points `part` of the grid that are to be listed.
+Found found_by(const state::State& state, const Search& search, double reach, Share part) {
     const state::Elements& elements = state.elements;
-    const double largest = *std::max_element(elements.radius.begin(), elements.radius.end());
-    const double reach = 2.0 * largest + search.excess + search.skin;
-    search.places = places_of(state, reach);
-    search.clearance = std::numeric_limits<double>::infinity();
     const Places& places = search.places;
-    std::vector<Candidate> found;
-    search.grid.build(places.at, reach);
-    search.grid.for_each_pair(reach, [&](Index a, Index b) {
+    Found found;
+    search.grid.for_each_pair_of(part.begin, part.end, reach, [&](Index a, Index b) {
         if (std::min(a, b) >= places.first_image) return;
         const Index i = std::min(places.element[a], places.element[b]);
         const Index j = std::max(places.element[a], places.element[b]);
@@ -109,10 +116,23 @@ std::vector<Candidate> candidates(const state::State& state, Search& search) {
         }
         const double gap = norm(places.at[a] - places.at[b]) - reference;
         if (gap >= search.skin) return;
-        search.clearance = std::min(search.clearance, gap);
-        found.push_back({i, j, reference});
+        found.clearance = std::min(found.clearance, gap);
+        found.pairs.push_back({i, j, reference});
     });
-    return in_order(found, elements.size());
+    return found;
+}
+
+std::vector<Candidate> candidates(const state::State& state, Search& search, Team& team) {
+    const state::Elements& elements = state.elements;
+    const double largest = *std::max_element(elements.radius.begin(), elements.radius.end());
+    const double reach = 2.0 * largest + search.excess + search.skin;
+    search.places = places_of(state, reach);
+    search.grid.build(search.places.at, reach);
+    std::vector<Found> shares(team.parts());
+    team.share(search.places.at.size(), [&](Share part) { shares[part.part] = found_by(state, search, reach, part); });
+    search.clearance = std::numeric_limits<double>::infinity();
+    for (const Found& share : shares) search.clearance = std::min(search.clearance, share.clearance);
+    return in_order(shares, elements.size(), team);
 }
 
 void append_row(state::State& state, const Candidate& pair, const ContactPast& past) {
@@ -195,8 +215,8 @@ std::vector<std::size_t> sorted_rows(const state::Contacts& old) {
     return rows;
 }
 
-void refresh_pairs(state::State& state, Search& search) {
-    const std::vector<Candidate> found = candidates(state, search);
+void refresh_pairs(state::State& state, Search& search, Team& team) {
+    const std::vector<Candidate> found = candidates(state, search, team);
     const state::Contacts old = std::exchange(state.contacts, emptied(state.contacts));
     const std::vector<std::size_t> rows = sorted_rows(old);
     auto next = rows.begin();
@@ -231,12 +251,12 @@ Search start_search(const state::State& state) {
     return search;
 }
 
-void refresh_contacts(state::State& state, Search& search) {
+void refresh_contacts(state::State& state, Search& search, Team& team) {
     if (search.steps > 0) {
         const double path = search.travelled / static_cast<double>(search.steps);
         search.skin = skin_at(path, search.greatest_skin / greatest_skin);
     }
-    refresh_pairs(state, search);
+    refresh_pairs(state, search, team);
     refresh_wall_contacts(state, search.skin, search.places, search.grid);
     refresh_outline_contacts(state, search.skin);
     // An intact body is searched once: what that took would be held for the whole run.

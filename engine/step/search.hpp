@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/base/cell_grid.hpp"
+#include "engine/base/team.hpp"
 #include "engine/state/state.hpp"
 #include "engine/step/breaking.hpp"
 #include "engine/step/places.hpp"
@@ -50,9 +51,9 @@ inline void put_in_doubt(Search& search) {
     return search.travelled == std::numeric_limits<double>::infinity();
 }
 
-/// Makes the lists of contacts and wall contacts anew, with a skin for the pace of late. Histories of pairs that stay are kept; what the others had spent
-/// is booked.
-void refresh_contacts(state::State& state, Search& search);
+/// Makes the lists of contacts and wall contacts anew, with a skin for the pace of late. Histories of pairs that stay are
+/// kept; what the others had spent is booked.
+void refresh_contacts(state::State& state, Search& search, Team& team);
 
 /// Puts the contacts of bonds that have just broken on the list.
 void append_contacts(state::State& state, Search& search, const std::vector<NewContact>& contacts);

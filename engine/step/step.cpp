@@ -124,7 +124,7 @@ void add_forces(state::State& state, Stepper& stepper) {
     if (in_doubt(stepper.search)) {
         clock.time(step, Stage::search, [&] {
             if (!state.gone.empty()) remove_leavers(state, stepper.domain);
-            refresh_contacts(state, stepper.search);
+            refresh_contacts(state, stepper.search, stepper.team);
         });
     }
     for (state::AnyBondSet& any : state.bond_sets) {
@@ -168,7 +168,7 @@ void start(state::State& state, Stepper& stepper) {
     for (std::size_t k = 0; k < state.elements.size(); ++k)
         fastest = std::max(fastest, norm(state.elements.velocity(k)));
     travel(stepper.search, fastest * state.dt);
-    refresh_contacts(state, stepper.search);
+    refresh_contacts(state, stepper.search, stepper.team);
     const double dt = std::exchange(state.dt, 0.0);
     compute_forces(state, stepper);
     change_step(state, dt);

@@ -95,7 +95,7 @@ Json follow(const Work& work, int threads, const packing::PackStore* packs, cons
     if (file != "-") std::ofstream(file) << instant_json(work, state).dump();
     Team team(threads);
     step::Stepper stepper(team, state, work.scene.greatest_move);
-    step::refresh_contacts(state, stepper.search);
+    step::refresh_contacts(state, stepper.search, stepper.team);
     for (std::uint64_t step = 0; step < work.steps_before; ++step) step::advance(state, stepper);
     Json seconds = Json::array();
     for (int batch = 0; batch < batches; ++batch) {

@@ -35,7 +35,7 @@ struct Running {
         : team(threads), state(begin), stepper(team, state, greatest_move), machine(team, footprint) {
         rounds.threads = threads;
         // Lists are made anew by the new stepper; forces and velocities are those of `begin`.
-        step::refresh_contacts(state, stepper.search);
+        step::refresh_contacts(state, stepper.search, stepper.team);
         const double dt = std::exchange(state.dt, 0.0);
         step::compute_forces(state, stepper);
         state.dt = dt;
@@ -88,7 +88,7 @@ std::size_t touching(const state::State& state) {
 void advance(state::State& state, const Work& work) {
     Team alone(1);
     step::Stepper stepper(alone, state, work.scene.greatest_move);
-    step::refresh_contacts(state, stepper.search);
+    step::refresh_contacts(state, stepper.search, stepper.team);
     for (std::uint64_t step = 0; step < work.steps_before; ++step) step::advance(state, stepper);
 }
 
