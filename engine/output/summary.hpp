@@ -35,7 +35,7 @@ struct SummaryTimings {
     double reading = 0.0;  ///< the scene file
     double assembly = 0.0; ///< packing, bonding, checks
     double running = 0.0;  ///< steps, and what looks at them
-    double writing = 0.0;  ///< on the writer's own thread
+    double writing = 0.0;  ///< processor time of the thread that writes
 };
 
 struct Summary {

@@ -7,6 +7,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <ctime>
 #include <exception>
 #include <utility>
 
@@ -19,6 +20,13 @@ constexpr std::size_t most_frames_waiting = 3;
 constexpr std::size_t most_jobs_waiting = 4096;
 
 bool is_frame(const auto& job) { return std::holds_alternative<observe::Snapshot>(job); }
+
+/// Processor time of this thread, s: what it takes from others, however long it has had to wait for a processor.
+double processor_time() {
+    std::timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
 
 std::string stamped(std::chrono::system_clock::time_point when, const std::string& text) {
     const auto milliseconds =
@@ -105,7 +113,7 @@ void Writer::work() {
 }
 
 void Writer::work_on(const Job& job) {
-    const auto begin = std::chrono::steady_clock::now();
+    const double begin = processor_time();
     try {
         std::visit([this](const auto& what) { write(what); }, job);
     } catch (const std::exception& error) {
@@ -114,7 +122,7 @@ void Writer::work_on(const Job& job) {
         queue_.clear();
         frames_waiting_ = 0;
     }
-    busy_time_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    busy_time_ += processor_time() - begin;
 }
 
 void Writer::write(const observe::Snapshot& snapshot) {

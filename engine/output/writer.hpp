@@ -43,7 +43,7 @@ public:
     /// when the summary itself cannot.
     void finish(const std::string& summary);
 
-    /// Seconds the thread has spent writing; after drain().
+    /// Processor time that writing has taken, s; after drain().
     [[nodiscard]] double busy_time() const { return busy_time_; }
     /// Frames written; after drain().
     [[nodiscard]] std::size_t frames() const { return elements_.size(); }
