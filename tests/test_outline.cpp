@@ -220,6 +220,39 @@ TEST_CASE("a light outline is allowed for in the time step", "[outline]") {
     CHECK(std::fabs(sim.ledger().error) < 0.02 * energy);
 }
 
+TEST_CASE("an outline counts in the time step by its free motions only", "[outline]") {
+    model::Scene scene = test::scene_of(test::bouncing(1.0, 0.3));
+    scene.materials.push_back(scene.materials[0]);
+    scene.materials[1].density = 2.0;
+    scene.bodies.push_back(test::disks("disk", {{{0.0, 0.0}, R}}, model::NoBonds{}));
+    scene.outlines.push_back(outline(box({8.0 * R, 2.1 * R}, {20.0 * R, 2.0 * R})));
+    scene.outlines[0].material = 1;
+    const auto critical = [&] { return step::bound_step(observe::Simulation(scene, 1).state()); };
+    const double free = critical();
+    scene.outlines[0].given_spin = Signal::constant(0.0);
+    const double along = critical();
+    CHECK(along > free);
+    scene.outlines[0].given_x = scene.outlines[0].given_y = Signal::constant(0.0);
+    const double given = critical();
+    CHECK(given > along);
+    model::Outline moved = scene.outlines[0];
+    scene.outlines.clear();
+    scene.walls.push_back(test::wall_along("wall", {{-1.0, -R}, {1.0, -R}}));
+    CHECK(given == critical());
+    scene.walls.clear();
+    scene.outlines.push_back(moved);
+
+    observe::Simulation sim(scene, 1);
+    sim.run(1e-4, {});
+    const double before = sim.state().dt;
+    moved.given_x.reset();
+    moved.given_y.reset();
+    moved.given_spin.reset();
+    sim.replace_outline(0, moved);
+    CHECK(sim.state().dt == 0.8 * free);
+    CHECK(sim.state().dt < before);
+}
+
 TEST_CASE("outlines that cannot be are refused", "[outline]") {
     const auto fault = [](const model::Region& region) {
         model::Outline said;

@@ -10,6 +10,7 @@
 #include "engine/step/wall_start.hpp"
 
 #include <fmt/format.h>
+#include <tuple>
 #include <utility>
 #include <variant>
 
@@ -153,7 +154,13 @@ void Simulation::replace_wall(std::size_t row, const model::Wall& wall) {
 
 void Simulation::replace_outline(std::size_t row, const model::Outline& outline) {
     const double before = balance(ledger_of(*state_));
-    state::set_motion(outline, state_->walls.at(inside_->scene.walls.size() + row));
+    state::Wall& wall_of_it = state_->walls.at(inside_->scene.walls.size() + row);
+    const auto freedoms = [&] {
+        return std::tuple{wall_of_it.free_x(), wall_of_it.free_y(), wall_of_it.free_to_turn()};
+    };
+    const auto free_before = freedoms();
+    state::set_motion(outline, wall_of_it);
+    if (freedoms() != free_before) inside_->shorten_step(*state_);
     std::vector<Problem> too_wide = step::outlines_meeting_images(inside_->scene, *state_);
     if (!too_wide.empty()) throw SceneError(std::move(too_wide));
     for (const step::Crossing& crossing : step::crossing_outlines(*state_)) {

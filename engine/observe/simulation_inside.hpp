@@ -58,6 +58,10 @@ struct Simulation::Inside {
     /// Notes, once for each pair, outlines that lie across what moves as given like them.
     void note_passing(const state::State& state);
 
+    /// Where what moves freely has changed: has the step found anew before the next run, and takes a shorter one at once if a run
+    /// is under way and needs it.
+    void shorten_step(state::State& state);
+
 private:
     std::set<std::pair<std::size_t, std::size_t>> passing_; ///< pairs of State::walls that have been noted
 };

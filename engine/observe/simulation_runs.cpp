@@ -55,6 +55,14 @@ void Simulation::prepare(const std::vector<double>& intervals) {
     }
 }
 
+void Simulation::Inside::shorten_step(state::State& state) {
+    step_outdated = true;
+    if (!started) return;
+    stable = step::stable_step(state, scene.time_step, scene.place);
+    const double longest = scene.step_fraction * stable.critical;
+    if (longest < state.dt) step::change_step(state, longest);
+}
+
 /// A step for a scene without springs: a thousandth of the time ahead, and no element past half the move allowed.
 double Simulation::step_in_flight(double ahead) const {
     const state::Elements& elements = state_->elements;

@@ -277,6 +277,7 @@ Assembly assemble(const model::Scene& scene, const packing::PackStore* packs) {
                                 "make the region larger or the elements smaller"});
         }
         place_body(scene, row, pack, clusters, state);
+        bring_clusters_together(state.bodies.back(), state);
         if (!pack.cluster.empty()) clusters += *std::max_element(pack.cluster.begin(), pack.cluster.end()) + 1;
     }
     if (!problems.empty()) throw SceneError(std::move(problems));

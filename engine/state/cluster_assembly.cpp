@@ -3,6 +3,7 @@
 #include "engine/packing/disk_union.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -36,6 +37,19 @@ Column<Index> rows_of(const Body& body) {
     return rows;
 }
 
+/// Calls `work(rows)` for each cluster of a body, with the rows of its elements.
+template <class Work>
+void for_each_cluster(const State& state, const Body& body, const Work& work) {
+    const Column<Index>& cluster = state.elements.cluster;
+    Column<Index> rows = rows_of(body);
+    std::stable_sort(rows.begin(), rows.end(), [&](Index a, Index b) { return cluster[a] < cluster[b]; });
+    for (auto begin = rows.begin(); begin != rows.end();) {
+        const auto end = std::find_if(begin, rows.end(), [&](Index k) { return cluster[k] != cluster[*begin]; });
+        work(std::span<const Index>(begin, end));
+        begin = end;
+    }
+}
+
 /// Makes the elements in `rows` a rigid body moving as they do.
 void join_rigidly(State& state, std::span<const Index> rows, const RigidBody& whole) {
     const Elements& elements = state.elements;
@@ -65,6 +79,19 @@ RigidBody rigid_cluster(const State& state, std::span<const Index> rows) {
 
 } // namespace
 
+void bring_clusters_together(const Body& body, State& state) {
+    if (!state.period.repeats() || !body.in_clusters) return;
+    Elements& elements = state.elements;
+    for_each_cluster(state, body, [&](std::span<const Index> members) {
+        const Vec2 first = elements.position(members.front());
+        for (const Index k : members) {
+            const Vec2 apart = elements.position(k) - first;
+            if (std::fabs(apart.x) <= 0.5 * state.period.length) continue;
+            elements.reference_x[k] = first.x + state.period.shortest(apart).x;
+        }
+    });
+}
+
 void set_moving(const model::Body& said, std::size_t row, State& state) {
     const Column<Index> rows = rows_of(state.bodies[row]);
     const Vec2 centre = as_one(state, rows).centre;
@@ -80,24 +107,19 @@ void set_moving(const model::Body& said, std::size_t row, State& state) {
 void make_rigid(const model::Body& said, std::size_t row, State& state) {
     state.bodies[row].rigid = true;
     state.rigid_row.resize(state.elements.size(), State::no_rigid);
-    Column<Index> rows = rows_of(state.bodies[row]);
     if (!said.in_clusters) {
+        const Column<Index> rows = rows_of(state.bodies[row]);
         join_rigidly(state, rows, as_one(state, rows));
         state.rigid_bodies.back().velocity = said.velocity;
         return;
     }
-    const Column<Index>& cluster = state.elements.cluster;
-    std::stable_sort(rows.begin(), rows.end(), [&](Index a, Index b) { return cluster[a] < cluster[b]; });
-    for (auto begin = rows.begin(); begin != rows.end();) {
-        const auto end = std::find_if(begin, rows.end(), [&](Index k) { return cluster[k] != cluster[*begin]; });
-        const std::span<const Index> members(begin, end);
+    for_each_cluster(state, state.bodies[row], [&](std::span<const Index> members) {
         if (members.size() == 1) {
             state.single.push_back(members.front());
         } else {
             join_rigidly(state, members, rigid_cluster(state, members));
         }
-        begin = end;
-    }
+    });
     std::sort(state.single.begin(), state.single.end());
 }
 

@@ -8,6 +8,9 @@
 
 namespace demlua::state {
 
+/// Where a cluster of the body lies on both sides of the edge of a plane that repeats, puts its elements at images beside its first.
+void bring_clusters_together(const Body& body, State& state);
+
 /// Gives the elements of body `row` the velocity said, and the spin about their centre of mass.
 void set_moving(const model::Body& said, std::size_t row, State& state);
 
