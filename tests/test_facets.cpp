@@ -106,23 +106,22 @@ TEST_CASE("the stress of every inner element under a uniform strain is Hooke's")
     CHECK(seen > 30);
 }
 
-TEST_CASE("a pull along free walls is in equilibrium up to the walls of a relaxed pack") {
-    // Uniaxial stress: strain (1, -nu). Only the elements beside the pulled ends may be out of balance.
-    const double nu = GENERATE(0.0, 0.3);
+TEST_CASE("a pull along free walls is in equilibrium up to the walls of a relaxed pack, moments included") {
+    // Uniaxial stress: strain (1, -nu). Only the elements beside the pulled ends may be out of balance. Packs that are hardly
+    // relaxed have bonds along the wall whose line misses their facet.
+    const double nu = GENERATE(0.0, 0.3, 0.9);
     model::Scene scene = elastic_pack(nu, 0, 1);
-    model::Relaxation relaxed;
-    relaxed.count = 400;
-    relaxed.on_boundary = true;
-    scene.bodies[0].packing = relaxed;
+    scene.bodies[0].packing = test::relaxed_between(size, 400, 1, GENERATE(8, 50));
     const state::State state = state::assemble(scene).state;
     const Eigen::VectorXd force = step::springs_of(state).times(1.0, 0.0, test::strained(state, {1.0, -nu, 0.0}));
     const double ends = force.cwiseAbs().maxCoeff();
     double worst = 0.0;
     for (std::size_t k = 0; k < state.elements.size(); ++k) {
         const double x = state.elements.position(k).x;
-        if (std::min(x, size.x - x) < 6.0 * state.elements.radius[k]) continue;
+        const double radius = state.elements.radius[k];
+        if (std::min(x, size.x - x) < 6.0 * radius) continue;
         const auto row = static_cast<Eigen::Index>(3 * k);
-        worst = std::max({worst, std::fabs(force[row]), std::fabs(force[row + 1])});
+        worst = std::max({worst, std::fabs(force[row]), std::fabs(force[row + 1]), std::fabs(force[row + 2]) / radius});
     }
     CHECK(worst < 1e-10 * ends);
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace demlua::bonding {
 
@@ -37,34 +36,41 @@ law::FacetPart closed_part(const packing::Facet& facet, const Line& line) {
     return part_between(facet.outward_from != Vec2{} ? 0.0 : line.low, facet.outward_to != Vec2{} ? 0.0 : line.high);
 }
 
+/// q of a pull along the wall by which the wall's tangent grows by one.
+law::FacetVector<double> pull_along(Vec2 outward, const Line& line, double ratio) {
+    const Vec2 tangent = turned_left(outward);
+    const Vec2 t = turned_left(line.normal);
+    const double across = dot(outward, line.normal);
+    const double along = dot(tangent, line.normal);
+    return {line.length * (along * along - ratio * across * across),
+            line.length * (along * dot(tangent, t) - ratio * across * dot(outward, t)), 0.0};
+}
+
 FacetBond bond_of(const packing::Facet& facet, const Line& line, const law::FacetModuli& moduli, double thickness) {
     const bool wall_below = facet.outward_from != Vec2{};
     const bool wall_above = facet.outward_to != Vec2{};
-    const double low = wall_below ? std::clamp(0.0, line.low, line.high) : line.low;
-    const double high = wall_above ? std::clamp(0.0, low, line.high) : line.high;
-
     FacetBond bond;
     bond.share_i = line.share_i;
     bond.whole = part_between(line.low, line.high);
     bond.walled = wall_below || wall_above;
     const double per_length = 1.0 / line.length;
-    const law::FacetPart inside = part_between(low, high);
-    bond.springs = law::facet_springs(thickness * moduli.twice_shear, inside.area, inside.centre, per_length);
     const law::FacetPart closed = closed_part(facet, line);
+    bond.springs = law::facet_springs(thickness * moduli.twice_shear, closed.area, closed.centre, per_length);
     bond.growth_i = law::growth_of_i(closed.area, closed.centre, per_length, line.share_i);
     bond.growth_j = law::growth_of_j(closed.area, closed.centre, per_length, line.share_i);
 
-    const Vec2 t = turned_left(line.normal);
-    const auto meet_wall = [&](double side, Vec2 outward, law::FacetPart outer) {
+    const auto meet_wall = [&](Vec2 outward, law::FacetPart outer) {
         const Vec2 tangent = turned_left(outward);
-        law::add_wall_bar(bond.springs, moduli, outer, dot(tangent, line.normal), dot(tangent, t), line.length,
-                          thickness);
-        const law::FacetVector<double> growth = law::growth_beside_wall(side, line.length);
-        bond.growth_i = bond.growth_i + growth;
-        bond.growth_j = bond.growth_j + growth;
+        law::add_wall_bar(bond.springs, moduli, outer, dot(tangent, line.normal),
+                          dot(tangent, turned_left(line.normal)), line.length, thickness);
     };
-    if (wall_below) meet_wall(-1.0, facet.outward_from, part_between(line.low, low));
-    if (wall_above) meet_wall(+1.0, facet.outward_to, part_between(high, line.high));
+    if (wall_below) meet_wall(facet.outward_from, part_between(line.low, 0.0));
+    if (wall_above) meet_wall(facet.outward_to, part_between(0.0, line.high));
+    const bool line_misses = line.low > 0.0 || line.high < 0.0;
+    if (bond.walled && line_misses) {
+        const Vec2 outward = wall_above ? facet.outward_to : facet.outward_from;
+        bond.springs = law::answering(bond.springs, pull_along(outward, line, moduli.ratio));
+    }
     return bond;
 }
 

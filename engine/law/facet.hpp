@@ -4,13 +4,16 @@
 //
 //   q = (e, ut, w)                      stretch and shear displacement of bond_motion, w = theta_j - theta_i
 //   dn = e - c w,   dt = ut             how far the facet's midpoint opens and slides; c its place along t, 0 on the bond
-//   D_i = sum A (s_i e + c (ut/l + s_j w)),   D_j = sum A (s_j e - c (ut/l - s_i w))       growth of the cells, m^2
+//   D_i = sum A (s_i e + c (ut/l - s_i w)),   D_j = sum A (s_j e - c (ut/l + s_j w))       growth of the cells, m^2
 //   U = sum_facets b (2G A/l) (dn^2 + dt^2 + A^2/12 w^2)/2 + sum_cells b lam D^2/(2 V)
 //   2G = E*/(1 + nu*),   lam = E* nu*/(1 - nu*^2)
 //   p = b lam D/V,   normal force = (2G b A/l) dn + A (s_i p_i + s_j p_j),   shear = (2G b A/l) dt + (A c/l) (p_i - p_j)
 //
 // b thickness, V area of the cell, s_i, s_j shares of l on either side of the facet. In a uniform field the forces are the
-// Cauchy tractions times A b on any pack, for any nu* below 1: neither E nor nu is fitted.
+// Cauchy tractions times A b on any pack, for any nu* below 1: neither E nor nu is fitted. So are the moments, for in D each
+// cell reads the shear of its facets from the turn of the element beyond, phi - theta_j = ut/l - s_i w: the moment of a
+// pressure p at a facet is then -A c p, that of the traction. Read from its own turn it would be +A c p, which a closed cell
+// does not see (its A c add up to zero) but a cell at a wall does.
 //
 // A facet that ends on a free wall is split where the bond's line crosses it. The part beyond, A_out long and c_out from
 // the bond's line, is a bar along the wall's tangent T of Young's modulus E*:
@@ -22,12 +25,12 @@
 //
 //   V = (T'MT - nu* N'MN)/(1 - nu*);      V = tr(M)/2, the cell's area, for a cell without wall or in a corner.
 //
-// A uniform stress along a straight free wall is then in equilibrium however the elements stand beside it. When the body
-// bends, the facets on the inner side of such a cell see a flux that no facets opposite them balance, (w/l) l^3/16 for a
-// hexagonal cell. Each of the cell's two bonds along the wall gives half of it back, h = +1 where the wall lies towards t,
-// -1 where it lies away from it:
+// A uniform stress along a straight free wall is then in equilibrium however the elements stand beside it, moments included.
+// Where the bond's line misses its facet (a third element stands between the two, nearer to the inside), the part within has
+// a negative length and K may be negative across the pull. What is kept of it then is K's answer f = K q to that pull and
+// what it has left against turning,
 //
-//   D_i += h l^2 w/32,   D_j += h l^2 w/32.
+//   K := f f'/(q'f) + max(0, K_ww - f_w^2/(q'f)) ww',   q = l (n.s.n, t.s.n, 0) with s = T T' - nu* N N'.
 //
 // Source: derived from the divergence theorem for cells, as their growth under a uniform strain is V tr(strain).
 // Limits: small strains within a cell; springs of one sign only, so U is never negative whatever is broken.
@@ -36,6 +39,7 @@
 #include "engine/base/lanes.hpp"
 #include "engine/law/stiffness.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace demlua::law {
@@ -125,19 +129,25 @@ inline void add_wall_bar(FacetSprings<double>& springs, const FacetModuli& modul
 template <class T>
 FacetVector<T> growth_of_i(T area, T centre, T inverse_length, T share_i) {
     const T couple = area * centre;
-    return {area * share_i, couple * inverse_length, couple * (1.0 - share_i)};
+    return {area * share_i, couple * inverse_length, -(couple * share_i)};
 }
 
 /// The same of the cell of j.
 template <class T>
 FacetVector<T> growth_of_j(T area, T centre, T inverse_length, T share_i) {
     const T couple = area * centre;
-    return {area * (1.0 - share_i), -(couple * inverse_length), couple * share_i};
+    return {area * (1.0 - share_i), -(couple * inverse_length), -(couple * (1.0 - share_i))};
 }
 
-/// Growth of the cells on either side of a bond along a free wall when the body bends; `side` is h.
-constexpr FacetVector<double> growth_beside_wall(double side, double length) {
-    return {0.0, 0.0, side * length * length / 32.0};
+/// Springs that are never negative and answer `pull` (a q without turn) as K does.
+inline FacetSprings<double> answering(const FacetSprings<double>& K, FacetVector<double> pull) {
+    const FacetVector<double> f = K * pull;
+    const double work = dot(pull, f);
+    FacetSprings<double> springs;
+    if (work <= 0.0) return springs;
+    springs.add(1.0 / work, f);
+    springs.ww = std::max(springs.ww, K.ww);
+    return springs;
 }
 
 } // namespace demlua::law
