@@ -109,9 +109,10 @@ TEST_CASE("the stress of every inner element under a uniform strain is Hooke's")
 TEST_CASE("a pull along free walls is in equilibrium up to the walls of a relaxed pack, moments included") {
     // Uniaxial stress: strain (1, -nu). Only the elements beside the pulled ends may be out of balance. Packs that are hardly
     // relaxed have bonds along the wall whose line misses their facet.
-    const double nu = GENERATE(0.0, 0.3, 0.9);
+    const double nu = GENERATE(0.0, 0.3, 0.5);
     model::Scene scene = elastic_pack(nu, 0, 1);
-    scene.bodies[0].packing = test::relaxed_between(size, 400, 1, GENERATE(8, 50));
+    const int steps = GENERATE(8, 50);
+    scene.bodies[0].packing = test::relaxed_between(size, 400, 1, steps);
     const state::State state = state::assemble(scene).state;
     const Eigen::VectorXd force = step::springs_of(state).times(1.0, 0.0, test::strained(state, {1.0, -nu, 0.0}));
     const double ends = force.cwiseAbs().maxCoeff();
@@ -123,6 +124,7 @@ TEST_CASE("a pull along free walls is in equilibrium up to the walls of a relaxe
         const auto row = static_cast<Eigen::Index>(3 * k);
         worst = std::max({worst, std::fabs(force[row]), std::fabs(force[row + 1]), std::fabs(force[row + 2]) / radius});
     }
+    CAPTURE(nu, steps);
     CHECK(worst < 1e-10 * ends);
 }
 

@@ -33,7 +33,9 @@
 //   K := f f'/(q'f) + max(0, K_ww - f_w^2/(q'f)) ww',   q = l (n.s.n, t.s.n, 0) with s = T T' - nu* N N'.
 //
 // Source: derived from the divergence theorem for cells, as their growth under a uniform strain is V tr(strain).
-// Limits: small strains within a cell; springs of one sign only, so U is never negative whatever is broken.
+// Limits: small strains within a cell; springs of one sign only, so U is never negative whatever is broken. V of a wall's cell
+// is kept between 1/4 and 4 times tr(M)/2, so that no cell is all but without volume: beyond nu* = 0.5, which plane strain
+// alone has, some cells are at this bound and a pull along their wall leaves them out of balance.
 #pragma once
 
 #include "engine/base/lanes.hpp"
