@@ -109,7 +109,7 @@ TEST_CASE("the stress of every inner element under a uniform strain is Hooke's")
 TEST_CASE("a pull along free walls is in equilibrium up to the walls of a relaxed pack, moments included") {
     // Uniaxial stress: strain (1, -nu). Only the elements beside the pulled ends may be out of balance. Packs that are hardly
     // relaxed have bonds along the wall whose line misses their facet.
-    const double nu = GENERATE(0.0, 0.3, 0.9);
+    const double nu = GENERATE(0.0, 0.3, 0.45);
     model::Scene scene = elastic_pack(nu, 0, 1);
     scene.bodies[0].packing = test::relaxed_between(size, 400, 1, GENERATE(8, 50));
     const state::State state = state::assemble(scene).state;
