@@ -63,7 +63,7 @@ double energy_at_rest(const state::State& state, Eigen::VectorXd given) {
 
 TEST_CASE("a bar of an irregular pack is as stiff in bending as the solid, to second order in the size of cells") {
     // Hexagonal rows of spacing h are off by (9 nu - 1)(3 nu - 1)/(12 (1 + nu)) (h/H)^2 (docs/theory/facets.md). The cells
-    // of an irregular pack differ from hexagons by some tenths, and so may the terms of this sum, which are of order 1/6.
+    // of an irregular pack are no hexagons: a tenth of the size of the terms that make up the sum is allowed for that.
     const auto [nu, seed] = GENERATE(std::pair{0.0, 1U}, std::pair{0.3, 2U}, std::pair{0.3, 3U}, std::pair{0.5, 4U});
     for (const std::uint64_t count : {150U, 600U, 2400U}) {
         const state::State state = state::assemble(bar_scene(nu, count, seed)).state;
