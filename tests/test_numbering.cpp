@@ -34,7 +34,9 @@ struct Grains {
 Grains grains_of(Kind kind) {
     Grains grains;
     for (int place = static_cast<int>(kind); place < columns * rows; place += 3) {
-        const Vec2 middle{6.0 * R * (place % columns + 0.6), 6.0 * R * (place / columns + 1.0)};
+        const int column = place % columns;
+        const int row = place / columns;
+        const Vec2 middle{6.0 * R * (column + 0.6), 6.0 * R * (row + 1.0)};
         const auto cluster = static_cast<std::uint32_t>(place / 3);
         const int disks = kind == Kind::single ? 1 : 3;
         for (int k = 0; k < disks; ++k) {
