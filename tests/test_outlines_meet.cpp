@@ -2,7 +2,7 @@
 #include "engine/state/corners.hpp"
 #include "engine/state/state.hpp"
 #include "tests/catch.hpp"
-#include "tests/grain_scenes.hpp"
+#include "tests/outline_scenes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,31 +18,7 @@ namespace {
 constexpr double g = 9.81;
 constexpr double pi = std::numbers::pi;
 
-std::vector<Vec2> box(Vec2 centre, Vec2 size, double angle = 0.0) {
-    const Vec2 h = 0.5 * size;
-    std::vector<Vec2> corners{{-h.x, -h.y}, {h.x, -h.y}, {h.x, h.y}, {-h.x, h.y}};
-    for (Vec2& corner : corners) corner = centre + turned(corner, angle);
-    return corners;
-}
-
-model::Outline outline(const std::string& name, std::vector<Vec2> path) {
-    model::Outline made;
-    made.name = name;
-    made.path = std::move(path);
-    made.rounding = 4e-3;
-    return made;
-}
-
-/// Something soft enough for a few thousand steps, far from the one element that a scene needs.
-model::Scene soft(double restitution, double friction) {
-    model::Scene scene = test::scene_of(test::bouncing(restitution, friction));
-    scene.materials[0].youngs_modulus = 1e8;
-    scene.bodies.push_back(test::disks("far", {{{9.0, 9.0}, 5e-3}}, model::NoBonds{}));
-    model::Support held;
-    held.selection = test::all_of(0);
-    scene.supports.push_back(held);
-    return scene;
-}
+model::Scene soft(double restitution, double friction) { return test::soft_scene(restitution, friction, {9.0, 9.0}); }
 
 Vec2 direction(double angle) { return turned({1.0, 0.0}, angle); }
 
@@ -50,14 +26,14 @@ Vec2 direction(double angle) { return turned({1.0, 0.0}, angle); }
 
 TEST_CASE("disks in the corners of a figure touch its sides from within", "[outline]") {
     SECTION("a right angle: the middle is a radius from both sides") {
-        const auto corners = state::corners_of_path(box({1.0, 2.0}, {0.2, 0.1}), 0.01);
+        const auto corners = state::corners_of_path(test::box({1.0, 2.0}, {0.2, 0.1}), 0.01);
         REQUIRE(corners.size() == 4);
         CHECK(corners[0].radius == Approx(0.01).epsilon(1e-12));
         CHECK(norm(corners[0].centre - Vec2{0.91, 1.96}) < 1e-12);
         CHECK(norm(corners[2].centre - Vec2{1.09, 2.04}) < 1e-12);
     }
     SECTION("clockwise as well, and short sides make them smaller") {
-        std::vector<Vec2> path = box({}, {0.2, 0.02});
+        std::vector<Vec2> path = test::box({}, {0.2, 0.02});
         std::reverse(path.begin(), path.end());
         const auto corners = state::corners_of_path(path, 0.01);
         REQUIRE(corners.size() == 4);
@@ -96,7 +72,8 @@ TEST_CASE("a box comes back from a wall with the restitution asked for", "[outli
     scene.step_fraction = 0.02;
     scene.walls.push_back(test::wall_along("floor", {{-1.0, 0.0}, {1.0, 0.0}}));
     const double half = on_corner ? 0.05 * std::numbers::sqrt2 - (std::numbers::sqrt2 - 1.0) * 4e-3 : 0.05;
-    scene.outlines.push_back(outline("box", box({0.0, half + 1e-4}, {0.1, 0.1}, on_corner ? 0.25 * pi : 0.0)));
+    scene.outlines.push_back(
+        test::rounded_outline("box", test::box({0.0, half + 1e-4}, {0.1, 0.1}, on_corner ? 0.25 * pi : 0.0)));
     const double v = 0.5;
     scene.outlines[0].velocity = {0.0, -v};
     observe::Simulation sim(scene, 1);
@@ -122,7 +99,7 @@ TEST_CASE("a box on a floor comes to rest and bears its weight", "[outline]") {
         scene.periodic_x = Vec2{-0.3, 0.7};
     }
     scene.walls.push_back(test::wall_along("floor", {{-0.3, 0.0}, {0.2, 0.0}, {0.7, 0.0}}));
-    scene.outlines.push_back(outline("box", box({repeats ? -0.31 : 0.18, 0.051}, {0.2, 0.1})));
+    scene.outlines.push_back(test::rounded_outline("box", test::box({repeats ? -0.31 : 0.18, 0.051}, {0.2, 0.1})));
     observe::Simulation sim(scene, 1);
     sim.run(0.2, {});
     const observe::WallMotion rest = sim.wall_motion(1);
@@ -140,8 +117,8 @@ TEST_CASE("two boxes that collide head-on exchange what masses say", "[outline]"
     const double e = GENERATE(1.0, 0.5);
     model::Scene scene = soft(e, 0.4);
     scene.step_fraction = 0.02;
-    scene.outlines.push_back(outline("left", box({0.0, 0.0}, {0.1, 0.06})));
-    scene.outlines.push_back(outline("right", box({0.1501, 0.0}, {0.2, 0.1})));
+    scene.outlines.push_back(test::rounded_outline("left", test::box({0.0, 0.0}, {0.1, 0.06})));
+    scene.outlines.push_back(test::rounded_outline("right", test::box({0.1501, 0.0}, {0.2, 0.1})));
     const double v = 0.5;
     scene.outlines[0].velocity = {v, 0.0};
     observe::Simulation sim(scene, 1);
@@ -162,8 +139,8 @@ TEST_CASE("figures that collide askew with friction exchange momentum exactly", 
     // To rounding; energy goes to friction and dashpots alone.
     model::Scene scene = soft(0.6, 0.3);
     scene.step_fraction = 0.02;
-    scene.outlines.push_back(outline("box", box({0.0, 0.0}, {0.1, 0.06}, 0.3)));
-    scene.outlines.push_back(outline("wedge", {{0.07, 0.03}, {0.2, 0.0}, {0.18, 0.12}}));
+    scene.outlines.push_back(test::rounded_outline("box", test::box({0.0, 0.0}, {0.1, 0.06}, 0.3)));
+    scene.outlines.push_back(test::rounded_outline("wedge", {{0.07, 0.03}, {0.2, 0.0}, {0.18, 0.12}}));
     scene.outlines[0].velocity = {1.0, 0.4};
     scene.outlines[1].spin = 3.0;
     observe::Simulation sim(scene, 1);
@@ -187,7 +164,8 @@ TEST_CASE("a box holds on an incline below the angle of friction and slides abov
     scene.gravity = {0.0, -g};
     scene.walls.push_back(
         test::wall_along("slope", {-1.0 * direction(-a), {}, 0.3 * direction(-a), 1.0 * direction(-a)}));
-    scene.outlines.push_back(outline("box", box(0.025 * turned_left(direction(-a)), {0.2, 0.05}, -a)));
+    scene.outlines.push_back(
+        test::rounded_outline("box", test::box(0.025 * turned_left(direction(-a)), {0.2, 0.05}, -a)));
     observe::Simulation sim(scene, 1);
     sim.run(0.1, {});
     const auto along = [&] { return dot(sim.wall_motion(1).velocity, direction(-a)); };
@@ -214,9 +192,9 @@ TEST_CASE("a stack of boxes under a servo lid stands, in any order of saying", "
     scene.walls[1].servo.emplace();
     const double F = 2000.0;
     scene.walls[1].servo->force_y = Signal::constant(F);
-    scene.outlines.push_back(outline("low", box({0.0, 0.0251}, {0.2, 0.05})));
-    scene.outlines.push_back(outline("middle", box({0.01, 0.0752}, {0.1, 0.05})));
-    scene.outlines.push_back(outline("high", box({0.0, 0.1253}, {0.2, 0.05})));
+    scene.outlines.push_back(test::rounded_outline("low", test::box({0.0, 0.0251}, {0.2, 0.05})));
+    scene.outlines.push_back(test::rounded_outline("middle", test::box({0.01, 0.0752}, {0.1, 0.05})));
+    scene.outlines.push_back(test::rounded_outline("high", test::box({0.0, 0.1253}, {0.2, 0.05})));
     for (model::Outline& each : scene.outlines) each.given_x.reset();
     if (reversed) std::reverse(scene.outlines.begin(), scene.outlines.end());
     // What presses is found by the middle of all elements.
@@ -233,7 +211,7 @@ TEST_CASE("a stack of boxes under a servo lid stands, in any order of saying", "
 TEST_CASE("figures that would pass through each other stop the run", "[outline]") {
     model::Scene scene = soft(0.6, 0.3);
     scene.walls.push_back(test::wall_along("floor", {{-1.0, 0.0}, {1.0, 0.0}}));
-    scene.outlines.push_back(outline("box", box({0.0, 0.06}, {0.1, 0.1})));
+    scene.outlines.push_back(test::rounded_outline("box", test::box({0.0, 0.06}, {0.1, 0.1})));
     SECTION("pressed in") {
         // Overlap v sqrt(M/2 K) is beyond half the rounding.
         scene.materials[0].youngs_modulus = 1e6;
@@ -255,35 +233,35 @@ TEST_CASE("figures that would pass through each other stop the run", "[outline]"
         const double dt = observe::Simulation(scene, 1).state().dt;
         for (int phase = 0; phase < 10; ++phase) {
             model::Scene fast = scene;
-            fast.outlines[0].path = box({0.0, 0.05 + 1e-4 * phase}, {0.1, 0.1});
+            fast.outlines[0].path = test::box({0.0, 0.05 + 1e-4 * phase}, {0.1, 0.1});
             fast.outlines[0].velocity = {0.0, -0.499 * 4e-3 / dt};
             observe::Simulation sim(fast, 1);
             CHECK_THROWS_WITH(sim.run(20.0 * dt, {}), Catch::Matchers::ContainsSubstring("into wall \"floor\""));
         }
     }
     SECTION("across a wall at the start") {
-        scene.outlines[0].path = box({0.0, 0.02}, {0.1, 0.1});
+        scene.outlines[0].path = test::box({0.0, 0.02}, {0.1, 0.1});
         CHECK_THROWS_WITH(observe::Simulation(scene, 1),
                           Catch::Matchers::ContainsSubstring("lies across wall \"floor\""));
     }
     SECTION("one in the other at the start") {
-        scene.outlines.push_back(outline("inner", box({0.0, 0.06}, {0.02, 0.02})));
+        scene.outlines.push_back(test::rounded_outline("inner", test::box({0.0, 0.06}, {0.02, 0.02})));
         CHECK_THROWS_WITH(observe::Simulation(scene, 1),
                           Catch::Matchers::ContainsSubstring("\"inner\": lies across outline \"box\""));
     }
     SECTION("a corner in a wall at the start") {
-        scene.outlines[0].path = box({0.0, 0.049}, {0.1, 0.1});
+        scene.outlines[0].path = test::box({0.0, 0.049}, {0.1, 0.1});
         CHECK_THROWS_WITH(observe::Simulation(scene, 1),
                           Catch::Matchers::ContainsSubstring("\"floor\" with a corner, by 25 % of its rounding"));
     }
     SECTION("not where one stands in the notch of another") {
         scene.outlines.push_back(
-            outline("ell", {{0.2, 0.0}, {0.5, 0.0}, {0.5, 0.05}, {0.25, 0.05}, {0.25, 0.3}, {0.2, 0.3}}));
-        scene.outlines.push_back(outline("inner", box({0.3, 0.1}, {0.1, 0.1})));
+            test::rounded_outline("ell", {{0.2, 0.0}, {0.5, 0.0}, {0.5, 0.05}, {0.25, 0.05}, {0.25, 0.3}, {0.2, 0.3}}));
+        scene.outlines.push_back(test::rounded_outline("inner", test::box({0.3, 0.1}, {0.1, 0.1})));
         CHECK_NOTHROW(observe::Simulation(scene, 1));
     }
     SECTION("let go where it lies across a wall") {
-        scene.outlines[0].path = box({0.0, 0.02}, {0.1, 0.1});
+        scene.outlines[0].path = test::box({0.0, 0.02}, {0.1, 0.1});
         scene.outlines[0].given_x = scene.outlines[0].given_y = scene.outlines[0].given_spin = Signal::constant(0.0);
         observe::Simulation sim(scene, 1); // what is moved in every way meets no wall
         sim.run(1e-4, {});

@@ -1,7 +1,7 @@
 // Rigid figures in a box that repeats, and figures moved in every way.
 #include "engine/state/state.hpp"
 #include "tests/catch.hpp"
-#include "tests/grain_scenes.hpp"
+#include "tests/outline_scenes.hpp"
 
 #include <algorithm>
 #include <string>
@@ -12,35 +12,13 @@ using Catch::Approx;
 
 namespace {
 
-std::vector<Vec2> box(Vec2 centre, Vec2 size) {
-    const Vec2 h = 0.5 * size;
-    return {centre - h, centre + Vec2{h.x, -h.y}, centre + h, centre + Vec2{-h.x, h.y}};
-}
-
-model::Outline outline(const std::string& name, std::vector<Vec2> path) {
-    model::Outline made;
-    made.name = name;
-    made.path = std::move(path);
-    made.rounding = 4e-3;
-    return made;
-}
-
 void give_all(model::Outline& outline, Vec2 velocity) {
     outline.given_x = Signal::constant(velocity.x);
     outline.given_y = Signal::constant(velocity.y);
     outline.given_spin = Signal::constant(0.0);
 }
 
-/// Something soft enough for a few thousand steps and one element, held far from all that happens.
-model::Scene soft() {
-    model::Scene scene = test::scene_of(test::bouncing(1.0, 0.4));
-    scene.materials[0].youngs_modulus = 1e8;
-    scene.bodies.push_back(test::disks("far", {{{0.5, 9.0}, 5e-3}}, model::NoBonds{}));
-    model::Support held;
-    held.selection = test::all_of(0);
-    scene.supports.push_back(held);
-    return scene;
-}
+model::Scene soft() { return test::soft_scene(1.0, 0.4, {0.5, 9.0}); }
 
 model::Scene repeating() {
     model::Scene scene = soft();
@@ -62,8 +40,8 @@ TEST_CASE("two figures meet across the edge of a box that repeats, on both sides
     // for equal masses and a restitution of 1.
     model::Scene scene = repeating();
     scene.step_fraction = 0.02;
-    scene.outlines.push_back(outline("left", box({0.06, 0.0}, {0.1, 0.06})));
-    scene.outlines.push_back(outline("right", box({0.9399, 0.0}, {0.1, 0.06})));
+    scene.outlines.push_back(test::rounded_outline("left", test::box({0.06, 0.0}, {0.1, 0.06})));
+    scene.outlines.push_back(test::rounded_outline("right", test::box({0.9399, 0.0}, {0.1, 0.06})));
     const double v = 0.5;
     SECTION("across the edge") {
         scene.outlines[0].velocity = {-v, 0.0};
@@ -73,7 +51,7 @@ TEST_CASE("two figures meet across the edge of a box that repeats, on both sides
         CHECK(sim.wall_motion(1).velocity.x == Approx(-v).epsilon(2e-3));
     }
     SECTION("a figure as wide as what is left meets it on either side") {
-        scene.outlines[1].path = box({0.56, 0.0}, {0.898, 0.06});
+        scene.outlines[1].path = test::box({0.56, 0.0}, {0.898, 0.06});
         scene.outlines[0].velocity = {-v, 0.0};
         observe::Simulation sim(scene, 1);
         const double m1 = sim.wall_motion(0).mass;
@@ -95,7 +73,7 @@ TEST_CASE("two figures meet across the edge of a box that repeats, on both sides
 TEST_CASE("a figure that would meet its own image is refused", "[outline]") {
     model::Scene scene = repeating();
     SECTION("one that may turn, by its longest line") {
-        scene.outlines.push_back(outline("bar", box({0.5, 0.0}, {0.96, 0.4})));
+        scene.outlines.push_back(test::rounded_outline("bar", test::box({0.5, 0.0}, {0.96, 0.4})));
         CHECK_THROWS_WITH(observe::Simulation(scene, 1),
                           Catch::Matchers::ContainsSubstring("\"bar\": is 1.04 m across where it is longest and would "
                                                              "meet its own image"));
@@ -107,10 +85,10 @@ TEST_CASE("a figure that would meet its own image is refused", "[outline]") {
                           Catch::Matchers::ContainsSubstring("meet its own image"));
     }
     SECTION("one that does not, by its width") {
-        scene.outlines.push_back(outline("platen", box({0.5, 0.0}, {1.0, 0.1})));
+        scene.outlines.push_back(test::rounded_outline("platen", test::box({0.5, 0.0}, {1.0, 0.1})));
         give_all(scene.outlines[0], {});
         CHECK_NOTHROW(observe::Simulation(scene, 1));
-        scene.outlines[0].path = box({0.5, 0.0}, {1.1, 0.1});
+        scene.outlines[0].path = test::box({0.5, 0.0}, {1.1, 0.1});
         CHECK_THROWS_WITH(observe::Simulation(scene, 1), Catch::Matchers::ContainsSubstring("is 1.1 m across and"));
     }
 }
@@ -118,7 +96,7 @@ TEST_CASE("a figure that would meet its own image is refused", "[outline]") {
 TEST_CASE("a figure across a wall by way of the edge is found", "[outline]") {
     model::Scene scene = repeating();
     scene.walls.push_back(test::wall_along("post", {{0.02, -0.1}, {0.02, 0.1}}));
-    scene.outlines.push_back(outline("box", box({0.98, 0.0}, {0.1, 0.06})));
+    scene.outlines.push_back(test::rounded_outline("box", test::box({0.98, 0.0}, {0.1, 0.06})));
     CHECK_THROWS_WITH(observe::Simulation(scene, 1), Catch::Matchers::ContainsSubstring("lies across wall \"post\""));
     SECTION("and so is an element in it") {
         scene.walls.clear();
@@ -131,8 +109,8 @@ TEST_CASE("a figure across a wall by way of the edge is found", "[outline]") {
 TEST_CASE("figures moved in every way pass through walls and each other, and say so once", "[outline]") {
     model::Scene scene = soft();
     scene.walls.push_back(test::wall_along("floor", {{-1.0, 0.0}, {1.0, 0.0}}));
-    scene.outlines.push_back(outline("box", box({0.0, 0.06}, {0.1, 0.1})));
-    scene.outlines.push_back(outline("other", box({0.0, -0.2}, {0.1, 0.1})));
+    scene.outlines.push_back(test::rounded_outline("box", test::box({0.0, 0.06}, {0.1, 0.1})));
+    scene.outlines.push_back(test::rounded_outline("other", test::box({0.0, -0.2}, {0.1, 0.1})));
     give_all(scene.outlines[0], {0.0, -1.0});
     give_all(scene.outlines[1], {});
     observe::Simulation sim(scene, 1);

@@ -61,7 +61,7 @@ struct Candidate {
     [[nodiscard]] auto key() const { return std::tie(i, j); }
 };
 
-/// What one share of the elements has found.
+/// What one share of the grid's points has found.
 struct Found {
     std::vector<Candidate> pairs;
     double clearance = std::numeric_limits<double>::infinity(); ///< least gap, m

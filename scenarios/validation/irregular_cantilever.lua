@@ -9,6 +9,7 @@ local dem = require "dem"
 local p = dem.param {
   count = { 1200, help = "elements" },
   seed  = { 1, help = "of the pack" },
+  held_turning = { false, help = "whether the elements of the held end are held against turning too" },
 }
 local length, height, force = 10.4, 1.0, 1e-9 -- m, m, N
 local nu = 0.3
@@ -38,7 +39,7 @@ local bar = sim:body {
 }
 -- The end is held, its elements turn as the solid does there; those in its two corners have nothing that would turn them right.
 local corner = dem.rectangle { at = { -1e-3, -1e-3 }, size = { 2e-3, 2e-3 } }
-sim:fix { bar, within = left_end, rotation = false }
+sim:fix { bar, within = left_end, x = true, y = true, rotation = p.held_turning }
 sim:fix { bar, within = corner + corner:translated { 0, height } }
 sim:traction { bar.right, stress_y = force / height }
 sim:solve_static { linear = true }
